@@ -42,19 +42,6 @@ import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetF
 
 export { assembleOneFile, assemblePage };
 
-/**
- * A core: the crate compiled with some features, and an entry of the package with modules of its own.
- * @typedef {object} Core
- * @property {string} name  of its WebAssembly
- * @property {string[]} build  what is asked of cargo besides; each has a profile, since they would overwrite each other
- * @property {string} profile
- * @property {string} folder  of its modules in the package
- */
-/** @type {Core} */
-const LIGHT = { name: "planarium", profile: "light", build: ["--no-default-features"], folder: "" };
-/** @type {Core} */
-const FULL = { name: "full", profile: "wasm", build: [], folder: "full" };
-
 /** The modules that hold a core: `planarium/full` has its own copies of them. All others are shared. */
 const HOLDERS = [
   "callback",
@@ -67,17 +54,57 @@ const HOLDERS = [
   "planarium_glue",
   "runtime",
 ];
-/** The modules that only `planarium/full` has. */
-const ADDED = ["choices", "full", "full-node"];
+
+/**
+ * A core: a crate compiled with some features, and an entry of the package with modules of its own.
+ * @typedef {object} Core
+ * @property {string} name  of its WebAssembly
+ * @property {string} crate
+ * @property {string[]} build  what is asked of cargo; each has a profile, since they would overwrite each other
+ * @property {string} profile
+ * @property {string[]} optimize  the best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz; functions of more than
+ *   100 instructions that have one caller stay functions: 5 KB less, in the same time
+ * @property {string} glue  the name of the script that calls it
+ * @property {string} folder  of its modules in the package
+ * @property {string[]} held  the modules that lie in its folder
+ */
+/** @type {Core} */
+const LIGHT = {
+  name: "planarium",
+  crate: "planarium",
+  build: ["build", "--lib", "--no-default-features", "--features", "bindings"],
+  profile: "light",
+  optimize: ["-O3", "-ocimfs", "100"],
+  glue: "planarium_glue",
+  folder: "",
+  held: HOLDERS,
+};
+/** @type {Core} */
+const FULL = {
+  ...LIGHT,
+  name: "full",
+  build: ["build", "--lib"],
+  profile: "wasm",
+  folder: "full",
+  held: [...HOLDERS, "choices", "full", "full-node"],
+};
+/** @type {Core} */
+const IMPORT = {
+  name: "import",
+  crate: "planarium-formats",
+  build: ["rustc", "--lib", "--crate-type", "cdylib", "-p", "planarium-formats", "--features", "bindings"],
+  profile: "import",
+  optimize: ["-Oz"],
+  glue: "import_glue",
+  folder: "import",
+  held: ["import", "import-node", "import_glue", "runtime", "world"],
+};
+/** The cores that plan. */
+const PLANNING = [LIGHT, FULL];
+const CORES = [...PLANNING, IMPORT];
 
 const dist = join(root, "dist");
 const types = join(dist, "types", "planarium");
-
-/**
- * The best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz. The features are those that rustc wrote into
- * the module.
- */
-const OPTIMIZE = ["-O3"];
 
 /**
  * Hot functions are marked `#[inline]`; with this threshold level 2 is as small as level "s", and plans a seventh
@@ -90,13 +117,11 @@ export async function buildPackage() {
   await ensureNodeModules();
   await ensureWasmTarget();
   requireOneBindgen();
-  const cores = [LIGHT, FULL];
   // Linking takes one processor, and most of the time.
-  const modules = await Promise.all(cores.map(compileCrate));
-  for (const [i, core] of cores.entries()) {
-    await makeGlue(core, modules[i]);
-    makeCatalogue(core);
-  }
+  const modules = await Promise.all(CORES.map(compileCrate));
+  for (const [i, core] of CORES.entries()) await makeGlue(core, modules[i]);
+  PLANNING.forEach(makeCatalogue);
+  makeWorldTypes();
   await makeTypes();
   await assemblePackage();
 }
@@ -118,31 +143,20 @@ function glueOf({ name }) {
 }
 
 /** @param {Core} core @returns {Promise<string>} path of the compiled module */
-async function compileCrate({ profile, build }) {
+async function compileCrate({ crate, profile, build: [command, ...options] }) {
   // The module must not contain paths of this machine: those of the toolchain and of crates are shortened.
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
-  const cut = [
-    [crates, "crates"],
-    [toolchain, "rust"],
-    [root, "planarium"],
-  ];
+  // Each registry has a folder, whose name is that of its host.
+  const registries = existsSync(crates) ? readdirSync(crates).map((name) => [join(crates, name), "crates"]) : [];
+  const cut = [...registries, [toolchain, "rust"], [root, "planarium"]];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   // Joined to those of .cargo/config.toml, which the variable RUSTFLAGS would replace.
   const joined = `target.wasm32-unknown-unknown.rustflags=${JSON.stringify([...flags, INLINE_LESS])}`;
-  await run("cargo", [
-    "build",
-    "--config",
-    joined,
-    "--profile",
-    profile,
-    ...build,
-    "--target",
-    "wasm32-unknown-unknown",
-    "--lib",
-    "--locked",
-  ]);
-  const wasm = join(targetFolder(), "wasm32-unknown-unknown", profile, "planarium.wasm");
+  const target = "wasm32-unknown-unknown";
+  const settings = ["--config", joined, "--profile", profile, "--target", target, "--locked"];
+  await run("cargo", [command, ...options, ...settings]);
+  const wasm = join(targetFolder(), target, profile, `${crate.replaceAll("-", "_")}.wasm`);
   // Its list of features has the length of each name before it.
   if (!readFileSync(wasm).includes("+\x07simd128")) {
     throw new Problem("The module was compiled without vector instructions: unset the variable RUSTFLAGS.");
@@ -156,7 +170,7 @@ async function compileCrate({ profile, build }) {
  * @param {string} wasm
  */
 async function makeGlue(core, wasm) {
-  const [glue, { name }] = [glueOf(core), core];
+  const [glue, { name, optimize }] = [glueOf(core), core];
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
   const here = readFileSync(fileURLToPath(import.meta.url));
@@ -165,7 +179,6 @@ async function makeGlue(core, wasm) {
     .update(tool)
     .update(here)
     .update(binaryen)
-    .update(OPTIMIZE.join(" "))
     .update(lockedVersion("wasm-bindgen"))
     .digest("hex");
   const stampFile = join(glue, "stamp");
@@ -174,14 +187,20 @@ async function makeGlue(core, wasm) {
   rmSync(glue, { recursive: true, force: true });
   mkdirSync(glue, { recursive: true });
   await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue, name]);
-  // The entry of the package is js/planarium.js, so the generated file gets another name.
+  // The entries of the package have the names of the cores, so the generated file gets another one.
   const script = readFileSync(join(glue, `${name}.js`), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
-  writeFileSync(join(glue, "planarium_glue.js"), withLoss(script));
+  writeFileSync(join(glue, `${core.glue}.js`), withLoss(script));
   rmSync(join(glue, `${name}.js`));
   renameSync(join(glue, `${name}.d.ts`), join(glue, "declarations.txt"));
+  const functions =
+    core === IMPORT
+      ? `export declare function readFiles(names: string[], contents: Uint8Array[], options: string): [string, Uint8Array | null];
+export declare function readPathFile(name: string, bytes: Uint8Array, options: string): [string, Float64Array];
+export declare function writePathFile(numbers: Float64Array, isTimed: boolean, options: string): Uint8Array;`
+      : `export * from "./core.js";`;
   writeFileSync(
-    join(glue, "planarium_glue.d.ts"),
-    `export * from "./core.js";
+    join(glue, `${core.glue}.d.ts`),
+    `${functions}
 export declare function initSync(options: { module: BufferSource | WebAssembly.Module }): { memory: WebAssembly.Memory };
 export declare function __wbg_reset_state(): void;
 export declare function __planarium_lose(): void;
@@ -192,7 +211,7 @@ export declare function __planarium_lose(): void;
   const optimized = join(glue, "optimized.wasm");
   await run(process.execPath, [
     join(root, "node_modules", "binaryen", "bin", "wasm-opt"),
-    ...OPTIMIZE,
+    ...optimize,
     module,
     "-o",
     optimized,
@@ -209,7 +228,7 @@ export declare function __planarium_lose(): void;
 function withLoss(script) {
   const [finalizer, reset] = [/if \(instance === __wbg_instance_id\) wasm\./g, "__wbg_reinit_scheduled = false;\n"];
   const classes = script.split("new FinalizationRegistry(").length - 1;
-  if (classes === 0 || script.match(finalizer)?.length !== classes || script.split(`    ${reset}`).length !== 2) {
+  if ((script.match(finalizer)?.length ?? 0) !== classes || script.split(`    ${reset}`).length !== 2) {
     throw new Problem("The glue of wasm-bindgen has another form than withLoss in scripts/build.mjs expects.");
   }
   return (
@@ -275,14 +294,27 @@ export const { ${names.join(", ")} } = guarded(glue);
   );
 }
 
+/** The types of `planarium/import`: those of its arguments and results, from the JavaScript part and the crate. */
+function makeWorldTypes() {
+  const glue = glueOf(IMPORT);
+  const own = readFileSync(join(root, "js", "import-types.d.ts"), "utf8");
+  const made = coreDeclarations(readFileSync(join(glue, "declarations.txt"), "utf8"));
+  // `own` also names scenarios, which it imports from the planning core: they are not declared again.
+  const named = reachable(made.replace(/^export function .*\n/gm, ""), [
+    "Angles, PathForm, PathReport, WorldOptions, WorldReport",
+  ]);
+  writeFileSync(join(glue, "world.d.ts"), own + named);
+}
+
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
 async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
   // Those of the core are the same module by two names.
-  for (const { name } of [LIGHT, FULL])
+  for (const { name } of PLANNING)
     cpSync(join(dist, "glue", name, "core.d.ts"), join(types, name === FULL.name ? "full.core.d.ts" : "core.d.ts"));
-  cpSync(join(dist, "glue", LIGHT.name, "tables.d.ts"), join(types, "tables.d.ts"));
+  cpSync(join(glueOf(LIGHT), "tables.d.ts"), join(types, "tables.d.ts"));
+  cpSync(join(glueOf(IMPORT), "world.d.ts"), join(types, "world.d.ts"));
   const own = [...declarationsOf(["planarium", ...SHARED_ENTRIES])]
     .filter((name) => name !== "core.d.ts")
     .map((name) => readFileSync(join(types, name), "utf8"));
@@ -292,46 +324,42 @@ async function makeTypes() {
 
 async function assemblePackage() {
   const out = mkdtempSync(join(dist, "package-"));
-  mkdirSync(join(out, FULL.folder));
-  for (const core of [LIGHT, FULL]) {
-    cpSync(join(glueOf(core), `${core.name}_bg.wasm`), join(out, core.folder, `${core.name}_bg.wasm`));
-    for (const name of ["catalogue", "core"])
-      writeFileSync(
-        join(out, core.folder, `${name}.js`),
-        placed(readFileSync(join(glueOf(core), `${name}.js`), "utf8"), core),
-      );
+  for (const core of CORES) {
+    const [glue, place] = [glueOf(core), join(out, core.folder)];
+    mkdirSync(place, { recursive: true });
+    cpSync(join(glue, `${core.name}_bg.wasm`), join(place, `${core.name}_bg.wasm`));
+    for (const name of ["catalogue.js", "core.js"].filter((file) => existsSync(join(glue, file))))
+      writeFileSync(join(place, name), placed(readFileSync(join(glue, name), "utf8"), core));
     // Nobody reads the generated glue; ours stays as it was written.
     /** @type {typeof import("esbuild")} */
     const { transformSync } = createRequire(import.meta.url)("esbuild");
-    const { code } = transformSync(readFileSync(join(glueOf(core), "planarium_glue.js"), "utf8"), {
+    const { code } = transformSync(readFileSync(join(glue, `${core.glue}.js`), "utf8"), {
       minify: true,
       format: "esm",
       target: "es2022",
     });
-    writeFileSync(join(out, core.folder, "planarium_glue.js"), code);
+    writeFileSync(join(place, `${core.glue}.js`), code);
   }
   cpSync(join(glueOf(LIGHT), "tables.js"), join(out, "tables.js"));
+  const own = [FULL, IMPORT].flatMap(({ held }) => held).filter((name) => !LIGHT.held.includes(name));
   for (const file of readdirSync(join(root, "js"))) {
     const name = basename(file, ".js");
     if (!file.endsWith(".js")) continue;
     const text = readFileSync(join(root, "js", file), "utf8");
-    if (!ADDED.includes(name)) writeFileSync(join(out, file), text);
-    if (ADDED.includes(name) || HOLDERS.includes(name)) writeFileSync(join(out, FULL.folder, file), placed(text, FULL));
+    if (!own.includes(name)) writeFileSync(join(out, file), text);
+    for (const core of [FULL, IMPORT])
+      if (core.held.includes(name)) writeFileSync(join(out, core.folder, file), placed(text, core));
   }
   for (const name of declarationsOf(["planarium", ...SHARED_ENTRIES])) cpSync(join(types, name), join(out, name));
-  for (const name of declarationsOf(["full"])) {
-    if (!isHeld(basename(name, ".d.ts"))) continue;
-    const text = readFileSync(join(types, name === "core.d.ts" ? "full.core.d.ts" : name), "utf8");
-    writeFileSync(join(out, FULL.folder, name), placed(text, FULL));
-  }
+  for (const core of [FULL, IMPORT])
+    for (const name of declarationsOf([core.name])) {
+      if (!core.held.includes(basename(name, ".d.ts"))) continue;
+      const text = readFileSync(join(types, core === FULL && name === "core.d.ts" ? "full.core.d.ts" : name), "utf8");
+      writeFileSync(join(out, core.folder, name), placed(text, core));
+    }
   const { writeNotices } = await import("./notices.mjs");
   writeNotices(join(out, "THIRD-PARTY-NOTICES.txt"));
   takeOver(out, join(dist, "package"));
-}
-
-/** Whether a core has a copy of a module of its own. @param {string} name */
-function isHeld(name) {
-  return HOLDERS.includes(name) || ADDED.includes(name);
 }
 
 /**
@@ -339,11 +367,12 @@ function isHeld(name) {
  * @param {string} text
  * @param {Core} core
  */
-function placed(text, { name, folder }) {
+function placed(text, { name, folder, glue, held }) {
   if (folder === "") return text;
   return text
+    .replaceAll("./planarium_glue.js", `./${glue}.js`)
     .replace(/((?:from |import\()")\.\/([\w-]+)\.js"/g, (whole, before, module) =>
-      isHeld(module) ? whole : `${before}../${module}.js"`,
+      held.includes(module) ? whole : `${before}../${module}.js"`,
     )
     .replaceAll("planarium_bg.wasm", `${name}_bg.wasm`);
 }

@@ -1,32 +1,46 @@
 /**
- * The licences of the crates that are compiled into the WebAssembly module, and of the npm packages that are part of
+ * The licences of the crates that are compiled into the WebAssembly modules, and of the npm packages that are part of
  * the pages.
  */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Problem, ask, root } from "./run.mjs";
 
+/** The platform of the modules. */
+const TARGET = "wasm32-unknown-unknown";
+
+/** Between two texts. */
+const RULE = `\n${"-".repeat(80)}\n\n`;
+
 /** The file with the notices. */
 export const NOTICES = "THIRD-PARTY-NOTICES.txt";
 
 /**
- * @typedef {{ name: string, version: string, license: string | null, authors: string[], repository: string | null,
- *   manifest_path: string }} Package
+ * @typedef {{ name: string, version: string, source: string | null, license: string | null, authors: string[],
+ *   repository: string | null, manifest_path: string }} Package
  */
 
 /**
- * Writes one file with the licence text of every crate that is linked into the module.
+ * Writes one file with the licence text of every crate that is linked into a module.
  * @param {string} path
  */
 export function writeNotices(path) {
-  const opening = "planarium_bg.wasm contains the Rust standard library (MIT OR Apache-2.0) and the crates below.\n";
-  writeFileSync(
-    path,
-    joined(
-      opening,
-      linkedCrates().map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) })),
-    ),
+  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", TARGET]);
+  if (metadata === undefined) throw new Problem("`cargo metadata` failed.");
+  /** @type {{ packages: Package[] }} */
+  const { packages } = JSON.parse(metadata);
+  const core = linkedCrates("planarium", packages);
+  const beside = linkedCrates("planarium-formats", packages).filter(({ manifest_path }) =>
+    core.every((crate) => crate.manifest_path !== manifest_path),
   );
+  const texts = (/** @type {Package[]} */ crates) =>
+    crates.map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) }));
+  const of = "the Rust standard library (MIT OR Apache-2.0) and the crates below.\n";
+  const all = [
+    joined(`planarium_bg.wasm, full_bg.wasm and import_bg.wasm contain ${of}`, texts(core)),
+    joined("import_bg.wasm also contains the crates below.\n", texts(beside)),
+  ];
+  writeFileSync(path, all.join(RULE));
 }
 
 /**
@@ -36,7 +50,7 @@ export function writeNotices(path) {
  * @param {string[]} inputs  files that were bundled, from the root on
  */
 export function addPageNotices(path, out, inputs) {
-  writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${packageNotices(inputs)}`);
+  writeFileSync(out, readFileSync(path, "utf8") + RULE + packageNotices(inputs));
 }
 
 /** The licence texts of the npm packages among bundled files. @param {string[]} inputs  from the root on */
@@ -82,20 +96,24 @@ function joined(opening, all) {
     byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})${address ? `, ${address}` : ""}`]);
   }
   const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
-  return [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`);
+  return [opening, ...sections].join(RULE);
 }
 
-/** @returns {Package[]} the crates in the module by name, without those that only run at compile time */
-function linkedCrates() {
+/**
+ * The crates in the module of a crate of this project by name, without those that only run at compile time.
+ * @param {string} crate
+ * @param {Package[]} packages  of the workspace
+ * @returns {Package[]}
+ */
+function linkedCrates(crate, packages) {
   // `cargo metadata` resolves the whole workspace at once, and would add what the command line needs.
-  const target = "wasm32-unknown-unknown";
   const tree = ask("cargo", [
     "tree",
     "--locked",
     "-p",
-    "planarium",
+    crate,
     "--target",
-    target,
+    TARGET,
     "--edges",
     "normal,no-proc-macro",
     "--prefix",
@@ -103,13 +121,10 @@ function linkedCrates() {
     "--format",
     "{p}",
   ]);
-  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
-  if (tree === undefined || metadata === undefined) throw new Problem("`cargo tree` or `cargo metadata` failed.");
+  if (tree === undefined) throw new Problem("`cargo tree` failed.");
   const linked = new Set(tree.split("\n").map((line) => line.split(" ", 2).join(" ")));
-  /** @type {{ packages: Package[] }} */
-  const { packages } = JSON.parse(metadata);
   return packages
-    .filter(({ name, version }) => name !== "planarium" && linked.has(`${name} v${version}`))
+    .filter(({ name, version, source }) => source !== null && linked.has(`${name} v${version}`))
     .sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 

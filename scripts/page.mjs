@@ -26,8 +26,8 @@ let drawn = null;
  *
  * A page is `www/NAME.html`, the contents of the slots of `www/app/shell.html`. A room also has `www/NAME/main.js` and
  * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the
- * planner's page, and the core of `planarium/full`; the planner's page has that of `planarium`. The gallery's entries,
- * pictures and links are made here from the data in `www/gallery/`.
+ * planner's page, and the core of `planarium/full`; the planner's page has that of `planarium`. `planarium/import` is
+ * loaded on demand. The gallery's entries, pictures and links are made here from the data in `www/gallery/`.
  *
  * @param {{ out?: string, isDraft?: boolean }} [options]   the folder; and whether files are neither compressed nor
  *   kept for use without a network, which takes most of the time. In a draft the gallery's pictures are made once.
@@ -41,6 +41,7 @@ export async function assemblePage({ out = join(dist, "page"), isDraft = false }
   for (const [name, folder] of [
     ["planarium", "."],
     ["full", "full"],
+    ["import", "import"],
   ]) {
     cpSync(join(dist, "package", folder, `${name}_bg.wasm`), join(out, "planarium", `${name}_bg.wasm`));
     joinModules(join(dist, "package", folder, `${name}.js`), join(out, "planarium", `${name}.js`));
@@ -50,11 +51,26 @@ export async function assemblePage({ out = join(dist, "page"), isDraft = false }
   // The page and the worker import the package themselves, and no part of theirs does.
   const beside = {
     ...inParts,
-    alias: { ...DRAW, planarium: "./planarium/planarium.js" },
-    external: ["./planarium/planarium.js"],
+    alias: { ...DRAW, planarium: "./planarium/planarium.js", "planarium/import": "./planarium/import.js" },
+    external: ["./planarium/planarium.js", "./planarium/import.js"],
   };
   const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
+  // Of every page: it reads maps and drawings, and no page loads it before the first of them.
+  const worlds = joinModules(join(page, "worlds", "worker.js"), join(out, "world-worker.js"), {
+    alias: beside.alias,
+    external: beside.external,
+  });
+  joinModules(join(page, "worlds", "style.css"), join(out, "world.css"));
+  // Of the planner's page: it times paths and judges those of other programs, with all of the core.
+  const paths = joinModules(join(page, "paths", "worker.js"), join(out, "path-worker.js"), {
+    alias: {
+      planarium: "./planarium/full.js",
+      "planarium/full": "./planarium/full.js",
+      "planarium/import": "./planarium/import.js",
+    },
+    external: ["./planarium/full.js", "./planarium/import.js"],
+  });
   const rooms = assembleRooms(inParts);
   const others = assembleOthers(out);
   if (!isDraft || drawn === null)
@@ -91,7 +107,11 @@ export async function assemblePage({ out = join(dist, "page"), isDraft = false }
     },
   });
   // Not among the files that are stored for use without a network.
-  addPageNotices(join(dist, "package", NOTICES), join(out, NOTICES), [planner, rooms, ...others].flatMap(includedIn));
+  addPageNotices(
+    join(dist, "package", NOTICES),
+    join(out, NOTICES),
+    [planner, worlds, paths, rooms, ...others].flatMap(includedIn),
+  );
   files.forEach((file) => compress(join(out, file)));
 }
 

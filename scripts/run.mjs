@@ -21,16 +21,17 @@ export async function run(command, args, env) {
 }
 
 /**
- * Runs a program to its end, and prints and returns its output.
+ * Runs a program to its end and returns its output, which is printed as well if it `isLive`.
  * @param {string} command
  * @param {string[]} args
- * @param {Env} [env]
+ * @param {Env | undefined} env
+ * @param {boolean} isLive
  */
-export async function watch(command, args, env) {
+export async function watch(command, args, env, isLive) {
   let output = "";
   const code = await exitCode(command, args, env, ["ignore", "pipe", "pipe"], (text) => {
     output += text;
-    process.stdout.write(text);
+    if (isLive) process.stdout.write(text);
   });
   return { code, output };
 }

@@ -6,6 +6,7 @@
  * A suite that runs no test, or whose count cannot be parsed, has failed. The last lines of failed suites are repeated
  * above the table.
  */
+import { AsyncLocalStorage } from "node:async_hooks";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { assembleOneFile, assemblePage, buildPackage } from "./build.mjs";
@@ -27,11 +28,18 @@ import { buildSite } from "./site.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
 /** @typedef {import("./run.mjs").Env} Env */
-/** @typedef {{ groups: string[], name: string, run: () => Promise<Counts | undefined> }} Suite */
+/**
+ * A suite; those of one word `together` that follow each other run at the same time, since each keeps one processor busy.
+ * @typedef {{ groups: string[], name: string, together?: string, run: () => Promise<Counts | undefined> }} Suite
+ */
 /** @typedef {{ name: string, seconds: number, counts: Counts, note: string, output: string }} Result */
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
+
+/** What the modules of `planarium` and of `planarium/import` are made of. */
+const LIGHT = ["--no-default-features", "--features", "bindings"];
+const FORMATS = ["-p", "planarium-formats", "--features", "bindings"];
 
 /** The library, the formats and the command line. */
 const CRATES = ["-p", "planarium", "-p", "planarium-formats", "-p", "planarium-cli", "-p", "own-planner"];
@@ -54,8 +62,13 @@ const FILES_AT_A_TIME = 2;
 /** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";
 
-/** What the program of the present suite printed. */
-let printed = "";
+/**
+ * What the programs of a suite print: at once if it `isLive`, else when the suite has ended. It is repeated if the suite
+ * fails.
+ * @typedef {{ output: string, isLive: boolean }} Printed
+ */
+/** @type {AsyncLocalStorage<Printed>} */
+const printing = new AsyncLocalStorage();
 
 /** @type {Suite[]} */
 const suites = [
@@ -82,12 +95,12 @@ const suites = [
   {
     groups: ["check"],
     name: "clippy, wasm32 without full",
-    run: () => command("cargo", ["clippy", "--locked", ...WASM, "--no-default-features", "--lib", ...NO_WARNINGS]),
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, ...LIGHT, "--lib", ...NO_WARNINGS]),
   },
   {
     groups: ["check"],
     name: "clippy, wasm32, formats",
-    run: () => command("cargo", ["clippy", "--locked", ...WASM, "-p", "planarium-formats", "--lib", ...NO_WARNINGS]),
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, ...FORMATS, "--lib", ...NO_WARNINGS]),
   },
   {
     groups: ["check"],
@@ -122,9 +135,10 @@ const suites = [
     name: "Rust, native",
     run: () => harness("cargo", ["test", "--locked", ...CRATES, "--all-features"]),
   },
-  { groups: ["wasm"], name: "Rust, in Node", run: () => wasm() },
+  { groups: ["wasm"], together: "wasm", name: "Rust, in Node", run: () => wasm() },
   {
     groups: ["wasm"],
+    together: "wasm",
     name: "Rust, in Chrome",
     run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }),
   },
@@ -169,10 +183,14 @@ const needs = {
 const ALL = Object.keys(needs);
 needs.quick = [ensureRustComponents];
 
-/** Runs the program of a suite and remembers what it prints. @param {Parameters<typeof watch>} command */
-async function observe(...command) {
-  const result = await watch(...command);
-  printed = result.output;
+/**
+ * Runs the program of a suite and remembers what it prints.
+ * @param {string} program @param {string[]} args @param {Env} [env]
+ */
+async function observe(program, args, env) {
+  const printed = /** @type {Printed} */ (printing.getStore());
+  const result = await watch(program, args, env, printed.isLive);
+  printed.output = result.output;
   return result;
 }
 
@@ -210,7 +228,7 @@ function wasmEnvironment() {
   return {
     PATH: [bindgenFolder, cargoBin, process.env.PATH].join(delimiter),
     CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
-    WASM_BINDGEN_TEST_TIMEOUT: "600",
+    WASM_BINDGEN_TEST_TIMEOUT: "1800",
     // The default of five seconds is too short to start the driver on a busy machine.
     WASM_BINDGEN_TEST_DRIVER_TIMEOUT: "60",
   };
@@ -315,15 +333,33 @@ async function prepare(groups) {
   for (const step of new Set(groups.flatMap((group) => needs[group]))) await step();
 }
 
-/** Runs one suite. An exception is a failure of that suite only. @param {Suite} suite @returns {Promise<Result>} */
-async function runSuite({ name, run }) {
-  console.log(`\n=== ${name} ===`);
+/**
+ * Runs one suite. An exception is a failure of that suite only.
+ * @param {Suite} suite @param {boolean} isLive  whether its output is printed at once, or at its end
+ * @returns {Promise<Result>}
+ */
+async function runSuite({ name, run }, isLive) {
+  const heading = `\n=== ${name} ===`;
+  if (isLive) console.log(heading);
   const began = performance.now();
-  printed = "";
-  const { counts, note } = await run().then(judge, (error) =>
-    failure(error instanceof Error ? error.message : String(error)),
-  );
-  return { name, seconds: (performance.now() - began) / 1000, counts, note, output: printed };
+  const printed = { output: "", isLive };
+  const { counts, note } = await printing
+    .run(printed, run)
+    .then(judge, (error) => failure(error instanceof Error ? error.message : String(error)));
+  if (!isLive) console.log(`${heading}\n${printed.output}`);
+  return { name, seconds: (performance.now() - began) / 1000, counts, note, output: printed.output };
+}
+
+/** Suites in their order; those that run at the same time are one batch. @param {Suite[]} chosen */
+function batches(chosen) {
+  /** @type {Suite[][]} */
+  const all = [];
+  for (const suite of chosen) {
+    const last = all.at(-1);
+    if (last && suite.together !== undefined && last[0].together === suite.together) last.push(suite);
+    else all.push([suite]);
+  }
+  return all;
 }
 
 /** @param {Counts | undefined} counts */
@@ -356,8 +392,11 @@ function repeatFailures(results) {
   }
 }
 
-/** Prints the table of suites, set-up first. @param {Result[]} results @param {number} setUp  seconds */
-function printTable(results, setUp) {
+/**
+ * Prints the table of suites, set-up first.
+ * @param {Result[]} results @param {number} setUp  seconds @param {number} began  when all of it did
+ */
+function printTable(results, setUp, began) {
   const width = Math.max(...results.map(({ name }) => name.length));
   const row = (/** @type {string} */ name, /** @type {number} */ seconds, /** @type {string} */ counts) =>
     console.log(`${name.padEnd(width)}  ${seconds.toFixed(1).padStart(7)} s  ${counts}`);
@@ -367,11 +406,7 @@ function printTable(results, setUp) {
     const failed = counts.failed > 0 ? `  ${counts.failed} failed${note === "" ? "" : `: ${note}`}` : "";
     row(name, seconds, `${String(counts.passed).padStart(5)} passed${failed}`);
   }
-  row(
-    "total",
-    results.reduce((sum, { seconds }) => sum + seconds, setUp),
-    "",
-  );
+  row("total", (performance.now() - began) / 1000, "");
 }
 
 await script(async () => {
@@ -387,11 +422,12 @@ await script(async () => {
   const setUp = (performance.now() - began) / 1000;
 
   const results = [];
-  for (const suite of suites.filter((one) => one.groups.some((group) => groups.includes(group))))
-    results.push(await runSuite(suite));
+  const chosen = suites.filter((one) => one.groups.some((group) => groups.includes(group)));
+  for (const batch of batches(chosen))
+    results.push(...(await Promise.all(batch.map((suite) => runSuite(suite, batch.length === 1)))));
   compareEngines(results);
   repeatFailures(results);
-  printTable(results, setUp);
+  printTable(results, setUp, began);
   const passed = results.reduce((sum, { counts }) => sum + counts.passed, 0);
   const failed = results.reduce((sum, { counts }) => sum + counts.failed, 0);
   console.log(`\n${passed} passed, ${failed} failed`);

@@ -293,9 +293,17 @@ const luminance = (bytes) =>
 test("few controls are in view at first; More stays open, and opens for a link that sets something in it", () =>
   onPausedPage(
     async (page, url) => {
-      const few = ["scenes", "planner", "play", "parameter-k", "parameter-seed", "new-seed"];
+      const few = ["scenes", "open", "planner", "play", "parameter-k", "parameter-seed", "new-seed"];
       for (const id of few) assert.equal(await page.isVisible(`#${id}`), true, id);
-      const rest = ["preset", "parameter-samples", "parameter-edge_check", "open", "pose", "race-fold", "view-fold"];
+      const rest = [
+        "preset",
+        "parameter-samples",
+        "parameter-edge_check",
+        "make-fold",
+        "pose",
+        "race-fold",
+        "view-fold",
+      ];
       for (const id of rest) assert.equal(await page.isVisible(`#${id}`), false, id);
       // What a report did wrong is a preset only where it is set.
       assert.ok((await offered(page, "preset")).includes("thirty-nearest"));

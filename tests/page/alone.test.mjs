@@ -52,8 +52,8 @@ test("without a network every scene can be shown and planned, once the page is o
   ));
 
 for (const [file, most] of /** @type {[string, number][]} */ ([
-  [oneFile, 1270],
-  [experimentsFile, 1580],
+  [oneFile, 1310],
+  [experimentsFile, 1660],
 ]))
   test(`${basename(file)} has at most ${most} KB and asks for nothing`, () => {
     assert.ok(statSync(file).size <= most * 1024, `${statSync(file).size}`);
@@ -121,6 +121,25 @@ test("the page in one file runs from the disk and in a sandboxed frame, and plan
         assert.equal(await frame.getAttribute("#counters", "data-fingerprint"), fingerprint);
         await choose(frame, "scene", "rings");
         await frame.waitForSelector("body[data-scene=rings]");
+        await frame.setInputFiles("#file", {
+          name: "map.yaml",
+          mimeType: "text/yaml",
+          buffer: Buffer.from("image: map.pgm"),
+        });
+        await frame.waitForSelector("#notice[data-code=unsupported]");
+        await frame.evaluate(() => document.getElementById("notice")?.replaceChildren());
+        await frame.setInputFiles("#file", {
+          name: "path.csv",
+          mimeType: "text/csv",
+          buffer: Buffer.from("x,y\n0,0\n1,1\n"),
+        });
+        await frame.waitForFunction(() =>
+          /maps, pictures, drawings and paths/.test(document.getElementById("notice")?.innerText ?? ""),
+        );
+        await frame.locator("#timing-fold > summary").click();
+        await frame.waitForFunction(() =>
+          /does not time paths/.test(document.getElementById("timing")?.innerText ?? ""),
+        );
         assert.ok(
           requests.every((url) => /^(file|data|blob):/.test(url)),
           requests.join(" "),

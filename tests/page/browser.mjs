@@ -437,8 +437,21 @@ export async function changes(page, selector, what, begin) {
  * @param {string | Uint8Array} content
  * @param {string} [selector]  of the field
  */
-export async function pickFile(page, name, content, selector = "#file") {
-  await page.setInputFiles(selector, { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+export const pickFile = (page, name, content, selector) => pickFiles(page, { [name]: content }, selector);
+
+/**
+ * Hands files to the page as if they were picked at once.
+ * @param {Page} page
+ * @param {Record<string, string | Uint8Array>} files  contents by name
+ * @param {string} [selector]  of the field
+ */
+export async function pickFiles(page, files, selector = "#file") {
+  const picked = Object.entries(files).map(([name, content]) => ({
+    name,
+    mimeType: "application/octet-stream",
+    buffer: Buffer.from(content),
+  }));
+  await page.setInputFiles(selector, picked);
 }
 
 /** Opens a scenario from a file. @param {Page} page @param {object} document */

@@ -32,9 +32,10 @@ export async function until(page, name, value) {
  * Pixels of the window for points of the workspace, once the stage stands still.
  * @param {Page} page
  * @param {number | { min: number[], max: number[] }} box  that it shows, or half of its side
+ * @param {string} [selector]  of another canvas that shows it
  */
-export async function plane(page, box) {
-  const canvas = page.locator("#workspace canvas[data-layer=top]");
+export async function plane(page, box, selector = "#workspace canvas[data-layer=top]") {
+  const canvas = page.locator(selector);
   await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
   const at = (await canvas.boundingBox()) ?? assert.fail("no canvas");
   const { min, max } = typeof box === "number" ? { min: [-box, -box], max: [box, box] } : box;

@@ -73,7 +73,7 @@ test("the editor by keys; what is undone and saved", (t) =>
             await page.focus("#stage");
             await press(page, ["d"], "title", "Obstacle 3, a disc");
             await press(page, ["Delete"], "undo", 6);
-            await press(page, ["[", "["], "title", "Obstacle 1, a polygon");
+            await press(page, ["[", "[", "["], "title", "Obstacle 1, a polygon");
             await press(page, ["PageDown"], "title", "Obstacle 1, a polygon, vertex 0");
             await press(page, ["Insert"], "title", "Obstacle 1, a polygon, vertex 1");
             await press(page, ["Shift+ArrowDown"], "undo", 8);
@@ -95,7 +95,7 @@ test("the editor by keys; what is undone and saved", (t) =>
             await page.focus("#stage");
             await press(page, ["Delete"], "undo", 9);
             await press(page, ["PageDown", "Delete"], "code", "degenerate-polygon");
-            await press(page, ["Escape", "]", "]"], "title", "Start");
+            await press(page, ["Escape", "]", "]", "]"], "title", "Start");
             await press(page, ["Delete"], "code", "not-deletable");
             await press(page, ["ArrowRight"], "undo", 10);
             const last = (await saved(page)).document;

@@ -103,6 +103,7 @@ function makePage() {
   };
   const page = new Page(app, session, panel, table);
   page.race = /** @type {any} */ ({ agree: () => log.push("rivals"), picture: "cspace" });
+  page.timing = /** @type {any} */ ({ follow: () => log.push("timing") });
   page.arrange = () => void log.push("figures");
   page.onOpen(() => log.push("news"));
   /** What was done since it was last asked. */
@@ -129,16 +130,18 @@ const withSettings = ({ algorithm, settings }, more) => ({ algorithm, settings: 
 test("parts agree in one order: all of them with a scenario, and later those alone that depend on what differs", async () => {
   const { page, done, session } = makePage();
   await page.open({ scene: "stones", iteration: 12, pose: [0, 1] });
-  assert.equal(done(), "scenario settings rivals view run figures news time hand 2");
+  assert.equal(done(), "scenario settings rivals view run figures news time hand 2 timing");
   assert.deepEqual(
     ORDER.map(([part]) => part),
-    ["scenario", "settings", "rivals", "view", "run", "figures", "news", "time", "hand"],
+    ["scenario", "settings", "rivals", "view", "run", "figures", "news", "time", "hand", "timing"],
   );
   page.change({ lanes: [withSettings(page.record.lanes[0], { k: 4 })] });
   assert.equal(done(), "settings rivals run figures");
   assert.equal(session.plans[0].settings.k, 4);
   page.setView({ refused: true });
   assert.equal(done(), "view figures");
+  page.change({ timing: { speed: 2 } });
+  assert.equal(done(), "timing");
   page.change({ iteration: 40 });
   assert.equal(done(), "time");
   page.change({ iteration: 40 });

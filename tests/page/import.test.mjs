@@ -86,7 +86,7 @@ test("what NumPy brings comes in or is refused", (t) =>
           // More than a polygon may have can only be configurations.
           await pickFile(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
           await page.waitForSelector("#marked[data-count='6000']");
-          await click(page, "#marked button");
+          await click(page, "#clear-marks");
           assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
           assert.equal(await page.isVisible("#marked"), false);
           await pickFile(page, "poses.npy", writeNpy(rows.slice(0, 4), [2, 2]));
@@ -106,7 +106,7 @@ test("what NumPy brings comes in or is refused", (t) =>
             ],
             ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
             ["empty.npy", new Uint8Array(), /not a NumPy array/],
-            ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
+            ["deep.npy", writeNpy(new Float64Array(30), [5, 2, 3]), /Its shape is \(5, 2, 3\)/],
             [
               "nan.npy",
               writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]),

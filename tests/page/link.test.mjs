@@ -14,6 +14,7 @@ import {
   linkOf,
   onPage,
   onPausedPage,
+  pixelsOf,
   openScenario,
   seek,
   setParameter,
@@ -218,6 +219,32 @@ test("what is to be seen comes back: axes, crosses, poses, the path as it was fo
     assert.equal(await fresh.getAttribute("#projector", "aria-pressed"), "true");
     const { experiment } = await decodeLink(await linkOf(fresh));
     assert.deepEqual(experiment, wanted);
+  });
+});
+
+test("a link of a scene with many obstacles opens it with its zoom", async () => {
+  const disc = (/** @type {number} */ i) => ({
+    type: "disc",
+    center: [1 + (i % 20), 1 + Math.floor(i / 20)],
+    radius: 0.2,
+  });
+  const document = {
+    format: "planarium-scenario-1",
+    name: "pegs",
+    world: { bounds: { min: [0, 0], max: [21, 11] }, obstacles: Array.from({ length: 200 }, (_, i) => disc(i)) },
+    robot: { type: "disc", radius: 0.1 },
+    queries: [{ name: "across", start: [0.5, 0.5], goal: [20.5, 10.5] }],
+  };
+  const lanes = [{ algorithm: "rrt", settings: {} }];
+  const wanted = /** @type {Experiment} */ (/** @type {unknown} */ ({ document, lanes, iteration: 0, view: {} }));
+  await afresh(`#${await encodeLink(wanted)}`, async (fresh) => {
+    await fresh.waitForSelector("#zoom-in");
+    const fine = () => pixelsOf(fresh, "workspace", "ground", "obstacle-edge");
+    const whole = await fine();
+    await click(fresh, "#zoom-in");
+    assert.notEqual(await fine(), whole);
+    await chooseScene(fresh, "stones");
+    assert.ok(await fresh.isHidden("#zoom-in"));
   });
 });
 

@@ -61,6 +61,9 @@ test("lists of one's own", (t) =>
           const state = await stateOf(page);
           assert.deepEqual(numbers(state.found), [...foundBy(state, {}, LIST).indices]);
           assert.match(await page.innerText("#list-told"), /mine\.json: 5 configurations/);
+          await dropFile(page, "mine.txt", JSON.stringify(LIST.slice(2)));
+          await page.waitForSelector("body[data-source=file][data-n='3']");
+          await rest(page);
           await dropFile(page, "mine.npy", writeNpy(Float64Array.from(LIST.slice(1).flat()), [4, 2]));
           await page.waitForSelector("body[data-source=file][data-n='4']");
           await rest(page);

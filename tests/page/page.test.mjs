@@ -237,15 +237,19 @@ test("a run and its settings", (t) =>
     ),
   ));
 
-test("the page's own script has at most 60 KB gzip all together, its style at most 8 KB", async () => {
-  /** @type {Record<string, Promise<Buffer>[]>} */
+test("the page's own script has at most 60.5 KB gzip all together, its style at most 8 KB", async () => {
+  /** @type {Record<string, { url: string, body: Promise<Buffer> }[]>} */
   const fetched = { script: [], stylesheet: [] };
-  const size = async (/** @type {string} */ kind) => gzipSync(Buffer.concat(await Promise.all(fetched[kind]))).length;
+  // In the order of their names: that of their arrival makes a difference of 60 bytes.
+  const size = async (/** @type {string} */ kind) => {
+    const files = fetched[kind].sort((a, b) => (a.url < b.url ? -1 : 1));
+    return gzipSync(Buffer.concat(await Promise.all(files.map(({ body }) => body)))).length;
+  };
   await onPausedPage(
     async (page) => {
       await thumbnails(page);
       const [script, style] = [await size("script"), await size("stylesheet")];
-      assert.ok(script > 5000 && script <= 60 * 1024, `script ${script}`);
+      assert.ok(script > 5000 && script <= 60.5 * 1024, `script ${script}`);
       assert.ok(style > 500 && style <= 8 * 1024, `style ${style}`);
     },
     {},
@@ -253,7 +257,8 @@ test("the page's own script has at most 60 KB gzip all together, its style at mo
       before: async (page) => {
         page.on("response", (response) => {
           const kind = response.request().resourceType();
-          if (kind in fetched && !response.url().includes("/planarium/")) fetched[kind].push(response.body());
+          if (kind in fetched && !response.url().includes("/planarium/"))
+            fetched[kind].push({ url: response.url(), body: response.body() });
         });
       },
     },

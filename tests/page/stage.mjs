@@ -3,13 +3,11 @@
 
 export const CALM = /** @type {import("./browser.mjs").Options} */ ({ reducedMotion: "reduce" });
 
-/**
- * Waits until nothing moves, nothing is computed and all is drawn.
- * @param {Page} page
- * @param {string} [stage]  what the stage says then
- */
-export const rest = (page, stage = "") =>
-  page.waitForSelector(`body[data-state=ready][data-settled=true] #stage${stage}`);
+/** At rest: nothing moves, nothing is computed, all is drawn. @param {string} [stage]  what the stage says then */
+export const atRest = (stage = "") => `body[data-state=ready][data-settled=true] #stage${stage}`;
+
+/** Waits until a room is at rest. @param {Page} page @param {string} [stage]  what the stage says then */
+export const rest = (page, stage) => page.waitForSelector(atRest(stage));
 
 /** What the stage says of itself. @param {Page} page @returns {Promise<Record<string, string>>} */
 export const told = (page) =>

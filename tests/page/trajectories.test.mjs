@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as planarium from "planarium/full";
 import { download, fill, linkOf, onPage, pictureOf, pressUntil, useBrowser } from "./browser.mjs";
+import { CALM, atRest, rest, told as toldBy } from "./stage.mjs";
 import { EMPTY, inTurn, openState } from "./turns.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -10,19 +11,9 @@ import { EMPTY, inTurn, openState } from "./turns.mjs";
 
 useBrowser();
 
-const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
-
-/** At rest: nothing moves, nothing is computed, all is drawn. @param {string} stage  what the stage says then */
-const atRest = (stage) => `body[data-state=ready][data-settled=true] #stage${stage}`;
-
-/** @param {Page} page @param {string} [stage] */
-const rest = (page, stage = "") => page.waitForSelector(atRest(stage));
-
 /** What the stage says of itself. @param {Page} page */
 async function told(page) {
-  const { status, accepted, tried, drawn, last, fingerprint } = await page
-    .locator("#stage")
-    .evaluate((element) => ({ .../** @type {HTMLElement} */ (element).dataset }));
+  const { status, accepted, tried, drawn, last, fingerprint } = await toldBy(page);
   return { status, accepted: Number(accepted), tried: Number(tried), drawn: Number(drawn), last, fingerprint };
 }
 

@@ -6,13 +6,16 @@ import { randomSeed } from "planarium";
 import { App } from "./app.js";
 import { byId } from "./dom.js";
 import { watchFiles } from "./drop.js";
+import { kindOf, namesOf, readFiles } from "./read-files.js";
 import { watchEscape } from "./escape.js";
 import { watchKeys } from "./keys.js";
 import { useLink } from "./link.js";
+import { requireFormats } from "./site.js";
 import { isAbort, latest } from "./work.js";
 
 /** @import { Link, StateRule } from "./link.js" */
 /** @import { Remote } from "./worker-client.js" */
+/** @import { Content } from "./read-files.js" */
 
 /**
  * Shows beside its field why a value is refused.
@@ -34,6 +37,7 @@ import { isAbort, latest } from "./work.js";
  * @property {StateRule} rule   of the state that a link stores
  * @property {Link} link
  * @property {(file: File) => unknown} [openFile]   throws what it refuses
+ * @property {(files: Content[]) => Promise<unknown>} [openWorld]   of maps, pictures and drawings
  * @property {(seed: number) => unknown} [reseed]   begins with a new seed
  * @property {Record<string, () => void>} [keys]   on the stage
  */
@@ -83,6 +87,14 @@ class Room {
   }
 }
 
+/** Where a file is opened that this page does not read. */
+function elsewhere() {
+  return Object.assign(
+    new Error("This page reads documents in JSON. Maps, pictures and drawings are opened on the page Planners."),
+    { code: "unknown-file" },
+  );
+}
+
 /**
  * Opens a room.
  * @template C
@@ -94,15 +106,27 @@ export async function openRoom(name, make) {
   watchEscape();
   const room = new Room(app);
   await app.open(name, async (/** @type {Remote<C>} */ worker) => {
-    const { show, rebuild, rule, link, openFile, reseed, keys } = make(room, worker);
+    const { show, rebuild, rule, link, openFile, openWorld, reseed, keys } = make(room, worker);
     if (show) app.onShow(show);
     app.rebuild = rebuild;
     if (keys) watchKeys([byId("stage", HTMLElement)], keys);
     if (openFile)
-      watchFiles(app, (file, bytes) => {
-        const text = new TextDecoder().decode(bytes);
-        void room.open(() => openFile({ name: file, bytes, text }), `${file} could not be opened.`);
+      watchFiles((files) => {
+        void room.open(() => openAll(files), `${namesOf(files)} could not be opened.`);
       });
+
+    /** @param {globalThis.File[]} files */
+    async function openAll(files) {
+      const contents = await readFiles(files);
+      if (contents.some((content) => kindOf(content) === "world")) {
+        if (!openWorld) throw elsewhere();
+        requireFormats();
+        await openWorld(contents);
+        return;
+      }
+      for (const { name: file, bytes } of contents)
+        await openFile?.({ name: file, bytes, text: new TextDecoder().decode(bytes) });
+    }
     if (reseed) {
       const button = byId("new-seed", HTMLButtonElement);
       button.disabled = false;

@@ -47,7 +47,7 @@
  * @property {boolean} shift
  * @property {boolean} touch   a finger
  *
- * @typedef {"select" | "disc" | "rectangle" | "polygon"} EditTool
+ * @typedef {"select" | "disc" | "rectangle" | "polygon" | "wall"} EditTool
  * @typedef {object} Coordinate   one number of a configuration
  * @property {string} name
  * @property {number} low

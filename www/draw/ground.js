@@ -39,12 +39,15 @@ export function gridOf({ scaleX }) {
  * @param {View} view
  * @param {ScenarioDocument} document
  * @param {Palette} palette
+ * @param {{ draw: (context: Context, view: View, world: ScenarioDocument["world"], palette: Palette) => void }} [map]
+ *   draws the world in the place of its obstacles
  */
-export function drawGround(context, view, document, palette) {
+export function drawGround(context, view, document, palette, map) {
   const { world, robot } = document;
   drawGrid(context, view, palette);
   if (!world.bounds && robot.type === "arm") drawReach(context, view, robot, palette);
-  drawWorld(context, view, document, palette);
+  if (map) map.draw(context, view, world, palette);
+  else drawWorld(context, view, document, palette);
 }
 
 /** A grid of faint dots. @param {Context} context @param {View} view @param {Palette} palette */

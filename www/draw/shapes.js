@@ -3,26 +3,9 @@ import { isThin, partPath } from "planarium/draw";
 import { addCross, addLine, setStroke, strokeWithHalo } from "./marks.js";
 
 /** @import { View } from "planarium/draw" */
-/** @import { Obstacle, Part } from "../domain/types.js" */
+/** @import { Part } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
-
-/** Whether a point is inside a polygon. @param {[number, number][]} vertices @param {number} x @param {number} y */
-export function contains(vertices, x, y) {
-  let inside = false;
-  vertices.forEach(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
-}
-
-/** The middle of an obstacle's box, in the plane. @param {Obstacle} obstacle @returns {[number, number]} */
-export function obstacleMiddle(obstacle) {
-  if (obstacle.type === "disc") return [obstacle.center[0], obstacle.center[1]];
-  const middle = (/** @type {number[]} */ values) => (Math.min(...values) + Math.max(...values)) / 2;
-  return [middle(obstacle.vertices.map(([x]) => x)), middle(obstacle.vertices.map(([, y]) => y))];
-}
 
 /**
  * A configuration as an outline.
@@ -39,6 +22,27 @@ export function drawGhost(context, view, parts, { colour, fill, stroke, dash, wi
     partPath(context, view, part);
     if (!isThin(view, part) || part.type === "disc") fillWith(context, colour, fill);
     context.globalAlpha = stroke;
+    context.stroke();
+  }
+  context.restore();
+}
+
+/**
+ * The margin of a robot around its parts, as a faint band.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Part[]} parts
+ * @param {number | undefined} margin  metres
+ * @param {string} colour
+ */
+export function drawMargin(context, view, parts, margin, colour) {
+  if (!margin) return;
+  context.save();
+  context.lineCap = context.lineJoin = "round";
+  context.globalAlpha = 0.16;
+  setStroke(context, colour, 2 * margin * view.scaleX);
+  for (const part of parts) {
+    partPath(context, view, part);
     context.stroke();
   }
   context.restore();

@@ -1,9 +1,10 @@
 /** A robot in collision: its parts and what they touch, red, hatched and with their names. */
-import { obstaclePath } from "planarium/draw";
 import { obstacleName, partName } from "../domain/names.js";
+import { coreOf, encloses, middleOf } from "../domain/obstacles.js";
 import { drawLabels } from "./labels.js";
 import { setStroke } from "./marks.js";
-import { contains, drawTouchingParts, fillWith, obstacleMiddle } from "./shapes.js";
+import { markObstacle } from "./obstacles.js";
+import { drawTouchingParts } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -63,27 +64,27 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
       );
     }
   } else {
-    obstaclePath(context, view, obstacles[obstacle]);
-    fillWith(context, onObstacle, 0.55);
-    setStroke(context, palette.collision, 2);
-    context.stroke();
+    markObstacle(context, view, obstacles[obstacle], palette, { hatch: onObstacle, colour: palette.collision });
   }
   context.restore();
 }
 
 /**
- * The place of an obstacle's name: its middle, or if that is outside, below its vertex nearest to the part.
+ * The place of an obstacle's name: its middle, or if that is outside, or for a wall, below its corner or the middle of
+ * an edge that is nearest to the part.
  * @param {View} view
  * @param {Obstacle} obstacle
  * @param {Part} part
  * @returns {[number, number]}
  */
 function obstaclePlace(view, obstacle, part) {
-  const [x, y] = obstacleMiddle(obstacle);
-  if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return view.place([x, y]);
-  const [px, py] = part.type === "capsule" ? part.b : obstacleMiddle(part);
+  const [x, y] = middleOf(obstacle);
+  if (obstacle.type === "disc" || encloses(obstacle, x, y)) return view.place([x, y]);
+  const [px, py] = part.type === "capsule" ? part.b : middleOf(part);
   const distance = (/** @type {[number, number]} */ vertex) => Math.hypot(vertex[0] - px, vertex[1] - py);
-  const nearest = obstacle.vertices.reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
+  const nearest = coreOf(obstacle)
+    .segments.flatMap(([a, b]) => [a, /** @type {[number, number]} */ ([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2])])
+    .reduce((best, vertex) => (distance(vertex) < distance(best) ? vertex : best));
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
@@ -95,7 +96,7 @@ function obstaclePlace(view, obstacle, part) {
  */
 function labelPlace(view, part) {
   if (part.type === "polygon")
-    return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
+    return [view.x(middleOf(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
   const clear = part.radius * view.scaleX + 16;
   if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
   const dx = view.x(part.b[0]) - view.x(part.a[0]);

@@ -7,6 +7,7 @@
  */
 import { byId, counted, grouped, make } from "../app/dom.js";
 import { openRoom } from "../app/room.js";
+import { roomDoor } from "../worlds/room-door.js";
 import { ChartView } from "./chart-view.js";
 import { watchControls } from "./controls.js";
 import { showExports } from "./exports.js";
@@ -57,6 +58,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
       open: (/** @type {ExperimentState | null} */ state, signal) => opener.openLinked(state, signal),
     },
     openFile: ({ name, text }) => opener.openFile(name, text),
+    openWorld: roomDoor(app, (world) => opener.openWorld(world)),
     keys: { " ": toggle },
   };
 

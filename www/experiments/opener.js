@@ -6,6 +6,7 @@ import { READY, loadReady, readyOf } from "./ready.js";
 
 /** @import { LinkedDocument } from "../domain/types.js" */
 /** @import { ExperimentState } from "./link.js" */
+/** @import { OpenedWorld } from "../worlds/door.js" */
 /** @import { ExperimentSession } from "./session.js" */
 
 /**
@@ -13,6 +14,9 @@ import { READY, loadReady, readyOf } from "./ready.js";
  * which may come from anyone.
  */
 const AT_ONCE = { here: 5000, link: 400 };
+
+/** As many queries of a world are problems enough for one seed, and as many are taken. */
+const MANY = { least: 20, most: 100 };
 
 export class Opener {
   /**
@@ -95,5 +99,24 @@ export class Opener {
     const isScenario = read.format === "planarium-scenario-1";
     const opened = isScenario ? enoughSeeds({ ...document, title, worlds: [{ scenario: read }] }) : read;
     await this.open({ document: opened, view: {} }, "");
+  }
+
+  /**
+   * Makes a world of another program the world of the experiment that is open: each of its queries is a problem, and
+   * where there are many of them, one seed a query.
+   * @param {OpenedWorld} opened
+   */
+  async openWorld({ document: scenario }) {
+    const { document } = this.session;
+    const names = scenario.queries.map(({ name }) => name);
+    const isMany = names.length >= MANY.least;
+    // Evenly over the file, whose queries often become harder.
+    const step = Math.max(1, names.length / MANY.most);
+    const queries = Array.from({ length: Math.min(names.length, MANY.most) }, (_, i) => names[Math.floor(i * step)]);
+    const fresh = { ...document, title: scenario.title || scenario.name, worlds: [{ scenario, queries }] };
+    await this.open(
+      { document: isMany ? { ...fresh, seeds: { from: 0, count: 1 } } : enoughSeeds(fresh), view: {} },
+      "",
+    );
   }
 }

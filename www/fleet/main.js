@@ -10,6 +10,7 @@ import { byId, counted, grouped } from "../app/dom.js";
 import { json } from "../app/files.js";
 import { comparer } from "../app/once.js";
 import { openRoom } from "../app/room.js";
+import { roomDoor } from "../worlds/room-door.js";
 import { watchArrows } from "../draw/drag.js";
 import { Figure } from "../draw/figure.js";
 import { Course } from "../widgets/course.js";
@@ -25,6 +26,7 @@ import { SCENES } from "./scenes.js";
 import { DEFAULT, FleetSession, noOptions } from "./session.js";
 import { openState, stateOf, stateRule } from "./state.js";
 import { nameOf, sentenceOf } from "./words.js";
+import { fleetOf } from "./worlds.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
@@ -140,6 +142,10 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
       },
     },
     openFile: async ({ name, text }) => playOnce(await session.load({ name, document: text })),
+    openWorld: roomDoor(app, async (opened) => {
+      const document = await fleetOf(opened);
+      playOnce(await session.load({ name: document.name, document }));
+    }),
     reseed: (seed) => {
       const { source } = session;
       if ("kind" in source) load({ kind: source.kind, options: { ...source.options, seed } });

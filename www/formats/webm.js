@@ -49,8 +49,11 @@ export async function webmWriter(width, height) {
       if (failure) throw failure;
       const duration = Math.round(1e6 * seconds);
       const frame = new VideoFrame(canvas, { timestamp, duration });
-      encoder.encode(frame, { keyFrame: count++ % KEY_EVERY === 0 });
-      frame.close();
+      try {
+        encoder.encode(frame, { keyFrame: count++ % KEY_EVERY === 0 });
+      } finally {
+        frame.close();
+      }
       timestamp += duration;
     },
     async finish() {
@@ -61,7 +64,12 @@ export async function webmWriter(width, height) {
       return new Blob([/** @type {ArrayBuffer} */ (target.buffer)], { type: "video/webm" });
     },
     close() {
-      if (encoder.state !== "closed") encoder.close();
+      // The encoder loses the frames that wait for it if it is closed before them; they are few.
+      if (encoder.state === "configured")
+        void encoder
+          .flush()
+          .catch(fail)
+          .then(() => encoder.state !== "closed" && encoder.close());
       if (output.state === "started") void output.cancel();
     },
   };

@@ -8,7 +8,7 @@
  */
 import { neighbourIndexes } from "planarium";
 import { byId, grouped } from "../app/dom.js";
-import { isArray } from "../app/drop.js";
+import { isArray } from "../app/read-files.js";
 import { comparer } from "../app/once.js";
 import { openRoom } from "../app/room.js";
 import { Figure } from "../draw/figure.js";
@@ -113,7 +113,7 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
 
   function show() {
     const { entry, coordinates, count, q, k, index, given, found } = session;
-    const { missed, file, scenario, isArm, isPlanar, isAsking } = session;
+    const { missed, file, scenario, isPlanar, isAsking } = session;
     const { dataset } = document.body;
     Object.assign(dataset, {
       robot: entry.id,
@@ -145,12 +145,10 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
           : `${file}: ${grouped(count)} configurations, in the order of the file.`,
     });
     figures.workspace.note.textContent =
-      count > DRAWN && entry.document.robot.type !== "disc"
-        ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}`
-        : "";
+      count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}, as dots` : "";
     figures.square.note.textContent = coordinates.every(({ isCircle }) => isCircle)
-      ? "one dot per configuration; borders wrap"
-      : "one dot per configuration";
+      ? "a dot each; borders wrap"
+      : "a dot each";
     if (count === 0 && !session.isLoading) app.say(sentenceOf(session));
     if (!session.isFound) return;
     const { length } = found.indices;

@@ -1,5 +1,5 @@
 /** A list of configurations from a file: a JSON array of arrays of numbers, or a NumPy array with a row for each. */
-import { isArray } from "../app/drop.js";
+import { isArray } from "../app/read-files.js";
 import { readNpy } from "../formats/npy.js";
 
 /** Configurations at most. */

@@ -3,7 +3,7 @@
  * scenario opens with.
  */
 import { Scenario } from "planarium";
-import { box, disc } from "../domain/obstacles.js";
+import { box, disc, rectangleBetween } from "../domain/obstacles.js";
 
 /** @import { Obstacle, ScenarioDocument } from "../domain/types.js" */
 
@@ -97,15 +97,7 @@ export const ROBOTS = [
       world: { bounds: BOUNDS, obstacles: [disc(1.35, 0.6, 0.17), box(0.25, 1.2, 0.3, 0.22)] },
       robot: {
         type: "rigid_body",
-        shape: {
-          type: "polygon",
-          vertices: [
-            [-0.1, -0.05],
-            [0.1, -0.05],
-            [0.1, 0.05],
-            [-0.1, 0.05],
-          ],
-        },
+        shape: rectangleBetween([-0.1, -0.05], [0.1, 0.05]),
         metric: { translation: 0.7, rotation: 0.3 },
       },
       queries: [],

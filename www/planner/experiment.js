@@ -43,6 +43,7 @@ export const ORDER = /** @type {const} */ ([
   ["news", ["opened", "scene", "document"]],
   ["time", ["iteration"]],
   ["hand", ["pose"]],
+  ["timing", ["opened", "timing"]],
 ]);
 const MOMENT = new Set(["opened", "iteration", "pose"]);
 
@@ -107,7 +108,7 @@ export function viewOf({ projector: _, lens: __, ...view }, robot) {
  */
 export function fitted(experiment, facts, planners, { was, isAsGiven = false } = {}) {
   const { robot, dimension, queries } = facts;
-  const { query, view, pose, drive, roll, euler } = experiment;
+  const { query, view, pose, drive, roll, euler, timing } = experiment;
   /** @type {string[]} */
   const faults = [];
   const lanes = isAsGiven ? experiment.lanes : served(experiment, robot, planners, faults);
@@ -136,6 +137,8 @@ export function fitted(experiment, facts, planners, { was, isAsGiven = false } =
       query: hasQuery && query !== queries[0] ? query : undefined,
       view: isUsual ? { ...view, axes: undefined } : view,
       pose: hasPose && !isDriven ? pose : undefined,
+      // Limits of another robot have no meaning.
+      timing: timing && was !== undefined && was !== robot ? { pace: timing.pace } : timing,
     },
     faults,
   };

@@ -25,9 +25,10 @@
 import * as library from "planarium";
 import { App } from "../app/app.js";
 import { byId, reveal, write } from "../app/dom.js";
-import { isArray, watchFiles } from "../app/drop.js";
+import { watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
+import { once } from "../app/once.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
 import { offerCertificate } from "./certificate/controls.js";
@@ -89,11 +90,13 @@ const isOpen = await app.open(
       r: () => page.act(() => session.reset()),
       n: () => panel.reseed(),
     });
-    watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
+    watchFiles((files) => void app.track(open().then((openFiles) => openFiles(files))));
     watchAnnouncements(page);
-    offerCertificate(page, worker);
+    const certifying = once(async () => new (await import("./certificate/certifying.js")).Certifying(session, worker));
+    offerCertificate(page, certifying);
     showPseudocode(page);
 
+    const open = once(async () => (await import("./open.js")).opener(page));
     const options = new LazyFeature(notice, async () =>
       (await import("./scenes/options.js")).showSceneOptions(page, library.generators()),
     ).inFold("make-fold");
@@ -108,9 +111,17 @@ const isOpen = await app.open(
     let canAsk = false;
     new LazyFeature(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
     new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
-    new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page))
+    new LazyFeature(notice, async () => {
+      page.timing = await (await import("./timing/open.js")).openTiming(page);
+    }).inFold("timing-fold");
+    const editing = async () => {
+      session.repair ??= new (await import("./repair.js")).Repair(session);
+      return new (await import("./editor/controls.js")).EditorControls(page);
+    };
+    new LazyFeature(notice, editing)
       .inFold("editor-fold")
-      .byButton("edit", (editor) => editor.toggle());
+      .byButton("edit", (editor) => editor.toggle())
+      .byButton("new-scene", (editor) => editor.create());
     const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
     page.loadDrive = () => drive.get();
     const print = new LazyFeature(notice, async () => (await import("./print.js")).watchPrint(page));
@@ -186,16 +197,6 @@ const isOpen = await app.open(
       await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash);
     }
 
-    /**
-     * Opens a file; one that is refused leaves the open scene in place.
-     * @param {string} name
-     * @param {Uint8Array<ArrayBuffer>} bytes
-     */
-    async function openFile(name, bytes) {
-      if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
-      else await page.open({ document: new TextDecoder().decode(bytes) });
-    }
-
     async function drawThumbnails() {
       for (const entry of SCENES)
         gallery.draw(entry.id, await worker.thumbnail(await sourceOf({ scene: entry.id }), SIDE, app.look));
@@ -205,7 +206,7 @@ const isOpen = await app.open(
     /** Loads the modules that other scenes and prints need, for when there is no network. */
     async function loadModules() {
       try {
-        await Promise.all([options.get(), placed(), asking.get(), print.get(), loadRegions()]);
+        await Promise.all([open(), options.get(), placed(), asking.get(), certifying(), print.get(), loadRegions()]);
         document.body.dataset.complete = "true";
       } catch {
         // There is no network any more: the next use tries again, and reports the error.

@@ -73,6 +73,13 @@ export function openOverSeeds(page) {
 /** @param {Page} page */
 async function open(page) {
   const document = experimentOver(page, page.session.library.planners());
-  const fragment = await encodeFragment({ document, view: { chart: "success", measure: "solved" }, run: true }, LIMITS);
+  const state = { document, view: { chart: "success", measure: "solved" }, run: true };
+  const fragment = await encodeFragment(state, LIMITS).catch((error) => {
+    if (!page.record.document) throw error;
+    throw new Error(
+      "The scene is too large for the link: save it as a scenario, under Export, and open that on the page Experiments.",
+      { cause: error },
+    );
+  });
   make("a", { href: `experiments.html#${fragment}`, target: "_blank", rel: "noopener" }).click();
 }

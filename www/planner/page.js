@@ -29,6 +29,7 @@ import { requirePart } from "./link/codec.js";
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { SceneFacts } from "./session.js" */
 /** @import { State } from "./state.js" */
+/** @import { TimingPanel } from "./timing/timing-panel.js" */
 /** @import { Plan, Scenario, ScenarioDocument, SceneEntry } from "../domain/types.js" */
 /** @typedef {Facts & { scenario: Scenario, document: ScenarioDocument, placed: Placed | null }} Opened   what was read */
 /**
@@ -66,6 +67,8 @@ export class Page {
     this.isAsGiven = false;
     /** Loaded on demand. @type {Race | null} */
     this.race = null;
+    /** Loaded on demand. @type {TimingPanel | null} */
+    this.timing = null;
     /** Loads the race. @type {() => Promise<unknown>} */
     this.loadRace = async () => {};
     /** Loads the driving controls. @type {() => Promise<DriveControls>} */
@@ -222,6 +225,7 @@ export class Page {
         figures: () => this.arrange(),
         news: () => this.announce(),
         time: () => this.seek(iteration),
+        timing: () => this.timing?.follow(),
         hand: () => pose && session.byHand.hold(Float64Array.from(pose)),
       },
     );

@@ -15,7 +15,6 @@ import { Lane } from "./stage/lane.js";
 import { Optima } from "./optimum.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
-import { Repair } from "./repair.js";
 import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
@@ -26,6 +25,7 @@ import { Team } from "./worker/team.js";
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Certifying } from "./certificate/certifying.js" */
 /** @import { Editor } from "./editor/editor.js" */
+/** @import { Repair } from "./repair.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { Shown } from "./stage/lane.js" */
 /** @import { Story } from "./story.js" */
@@ -60,7 +60,6 @@ export class Session {
     this.clock = new Clock();
     this.timeline = new Timeline(this);
     this.byHand = new PoseByHand(this);
-    this.repair = new Repair(this);
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -89,6 +88,8 @@ export class Session {
     this.isReportDue = pacer(REPORT);
     /** Loaded on demand. @type {Editor | null} */
     this.editor = null;
+    /** Loaded with the editor. @type {Repair | null} */
+    this.repair = null;
     /** Loaded on demand. @type {Driving | null} */
     this.driving = null;
     /** @type {Certifying | null} */
@@ -141,6 +142,7 @@ export class Session {
       certifying: null,
       placed,
       driven: null,
+      judged: null,
     };
     if (pace !== undefined) this.clock.pace = pace;
     this.stage.invalidate();
@@ -185,13 +187,15 @@ export class Session {
   /**
    * Replaces the scenario by an edited one: a lazy roadmap that stands is repaired; else the same plans wait at
    * iteration 0.
-   * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  during a gesture
+   * @param {Scenario} scenario @param {ScenarioDocument} document @param {Placed | null} placed
+   * @param {boolean} live  during a gesture
    */
-  replace(scenario, document, live) {
+  replace(scenario, document, placed, live) {
     const { shown, lanes, plans, repair } = this;
     if (!shown) return;
-    const edited = { ...shown, scenario, document, hover: null, rough: live, marked: null };
-    if (repair.isPossible) {
+    const edited = { ...shown, scenario, document, placed, hover: null, rough: live, marked: null };
+    const { robot, world } = shown.document;
+    if (repair?.isPossible && document.robot === robot && document.world.bounds === world.bounds) {
       lanes[0].move(edited);
       this.shown = edited;
       this.setEnds(edited);
@@ -244,7 +248,7 @@ export class Session {
     shown.query = query;
     this.setEnds(shown);
     this.plannings++;
-    this.repair.waiting = null;
+    if (this.repair) this.repair.waiting = null;
     this.byHand.release();
     clock.reset();
     clock.isRace = plans.length > 1;
@@ -447,7 +451,7 @@ export class Session {
       lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     }
     stage.frame(lanes, now, began + (clock.playing ? DRAWING.playing : DRAWING.paused), clock.playing);
-    const isAtRest = !clock.owes && !timeline.isAsking && !this.repair.isBusy && (!clock.playing || !this.growing);
+    const isAtRest = !clock.owes && !timeline.isAsking && !this.repair?.isBusy && (!clock.playing || !this.growing);
     if (isAtRest) timeline.conclude();
     this.settled =
       isAtRest &&

@@ -18,7 +18,7 @@ export function report(session) {
   const { clock, shown, lanes, settled, byHand, editor, refusal } = session;
   const [sentence, isBad] = sentenceOf(session);
   const [playback] = session.playbacks;
-  const pose = shown?.hand ?? (playback && playback.drawn >= 1 ? playback.configuration(playback.at) : null);
+  const pose = shown?.hand ?? (playback && playback.drawn >= 1 ? playback.pose : null);
   return {
     /** `unit`: the time in a step; `wanted`: the time that will be shown. */
     clock: { now: clock.now, head: clock.head, isRace: clock.isRace, unit: clock.unit, wanted: clock.wanted },
@@ -26,6 +26,8 @@ export function report(session) {
     growing: session.growing,
     travelling: session.travelling,
     along: playback ? playback.at : 0,
+    /** Of a path that is timed: the time shown and that of the end, seconds. */
+    timed: playback?.timed ? { time: playback.at * playback.timed.period, end: playback.timed.period } : null,
     settled,
     view: { ...session.view },
     sentence,

@@ -5,7 +5,7 @@
 import { wrap } from "planarium/draw";
 import { sizeOf, slidesOf } from "../domain/coordinates.js";
 import { placedHandles } from "../draw/placed-handles.js";
-import { contains } from "../draw/shapes.js";
+import { contains } from "../domain/obstacles.js";
 import { distanceToSegment } from "../draw/trace.js";
 import { watchArrows, watchDrag } from "../draw/drag.js";
 

@@ -1,6 +1,6 @@
 /**
  * A chart of lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their
- * ends. On a timeline values hold until the next one, and values after the time shown are faint. What draws is loaded
+ * ends. On a timeline values hold until the next one, unless they are smooth, and values after the time shown are faint. What draws is loaded
  * with the first drawing.
  */
 import { make, makeSvg } from "../app/dom.js";
@@ -11,8 +11,8 @@ import { once } from "../app/once.js";
  *   Line   x rising; a level has no dot
  */
 /**
- * @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   it reaches at least from `low` to
- *   `high`
+ * @typedef {{ title: string, isLog?: boolean, low?: number, high?: number, isExact?: boolean }} Axis   it reaches at
+ *   least from `low` to `high`, and as far as the next round numbers unless it is exact
  */
 
 const drawing = once(() => import("./plot.js"));
@@ -21,12 +21,13 @@ export class Chart {
   /**
    * @param {string} id   also a class of the picture
    * @param {string} title
-   * @param {{ height?: number, isTimeline?: boolean }} [options]
+   * @param {{ height?: number, isTimeline?: boolean, isSmooth?: boolean }} [options]
    */
-  constructor(id, title, { height = 190, isTimeline = false } = {}) {
+  constructor(id, title, { height = 190, isTimeline = false, isSmooth = false } = {}) {
     this.id = id;
     this.height = height;
     this.isTimeline = isTimeline;
+    this.isSmooth = isSmooth;
     this.title = make("figcaption", {}, title);
     this.picture = makeSvg("svg", {
       role: "img",
@@ -63,7 +64,7 @@ export class Chart {
   }
 
   redraw() {
-    const { plot, drawn, picture, height, isTimeline, past, cursor } = this;
+    const { plot, drawn, picture, height, isTimeline, isSmooth, past, cursor } = this;
     if (!plot || !drawn) return;
     const [lines, across, up] = drawn;
     const width = Math.max(200, this.element.clientWidth);
@@ -73,7 +74,7 @@ export class Chart {
       labels,
       scale,
       bounds: [top, right, bottom],
-    } = plot.drawLines(lines, across, up, { width, height, isTimeline });
+    } = plot.drawLines(lines, across, up, { width, height, isTimeline, isSmooth });
     picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     if (!isTimeline) return picture.replaceChildren(...axes, ...shapes, ...labels);
     const id = `${this.id}-past`;

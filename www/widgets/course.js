@@ -7,7 +7,7 @@
 import { grouped, make, makeSvg } from "../app/dom.js";
 import { watchKeys } from "../app/keys.js";
 import { button, labelled } from "./elements.js";
-import { num } from "./format.js";
+import { secondsText } from "./format.js";
 
 /** @import { App } from "../app/app.js" */
 
@@ -247,11 +247,6 @@ export class Course {
     axis.seek(axis.time() + count * (axis.unit ?? 1));
     return axis.time() < axis.end();
   }
-}
-
-/** @param {number} time @param {number} end */
-function secondsText(time, end) {
-  return `${num(time, 1)} of ${num(end, 1)} seconds`;
 }
 
 /** @param {string} name @param {string} path */

@@ -29,6 +29,11 @@ export function duration(seconds) {
     : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`;
 }
 
+/** A time of another one, for screen readers. @param {number} time @param {number} end  seconds */
+export function secondsText(time, end) {
+  return `${num(time, 1)} of ${num(end, 1)} seconds`;
+}
+
 /** The digits of an exponent. @param {number} exponent */
 export function superscript(exponent) {
   return [...String(exponent)]

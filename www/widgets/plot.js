@@ -20,9 +20,9 @@ const POINTS = 1000;
  * @param {Line[]} lines
  * @param {Axis} across
  * @param {Axis} up
- * @param {{ width: number, height: number, isTimeline: boolean }} size
+ * @param {{ width: number, height: number, isTimeline: boolean, isSmooth: boolean }} size
  */
-export function drawLines(lines, across, up, { width, height, isTimeline }) {
+export function drawLines(lines, across, up, { width, height, isTimeline, isSmooth }) {
   const values = (/** @type {0 | 1} */ i) => lines.flatMap(({ points }) => points.map((point) => point[i]));
   const [x, y] = [optionsOf(values(0), across, width / 90), optionsOf(values(1), up, height / 45)];
   const holds = (/** @type {Axis} */ { isLog }, /** @type {number} */ value) =>
@@ -39,7 +39,7 @@ export function drawLines(lines, across, up, { width, height, isTimeline }) {
     const line = lineY(points, {
       x: "0",
       y: "1",
-      curve: isTimeline ? "step-after" : "linear",
+      curve: isTimeline && !isSmooth ? "step-after" : "linear",
       strokeWidth: 2,
       className: `shape line dash-${i % 4} ${className}`,
     });
@@ -115,7 +115,7 @@ function thinned(points) {
  * @param {number} count  about how many steps
  * @returns {import("@observablehq/plot").ScaleOptions}
  */
-function optionsOf(values, { isLog = false, low = Infinity, high = -Infinity }, count) {
+function optionsOf(values, { isLog = false, low = Infinity, high = -Infinity, isExact = false }, count) {
   const good = values.filter((value) => Number.isFinite(value) && (!isLog || value > 0));
   let least = good.reduce((a, b) => Math.min(a, b), low);
   let most = good.reduce((a, b) => Math.max(a, b), high);
@@ -124,7 +124,7 @@ function optionsOf(values, { isLog = false, low = Infinity, high = -Infinity }, 
   if (!isLog)
     return {
       domain: [least, most - least > 0.005 * Math.abs(most) ? most : least + Math.max(0.02 * Math.abs(most), 1e-9)],
-      nice: count,
+      nice: isExact ? undefined : count,
       ticks: count,
     };
   const top = Math.ceil(Math.log10(most) - 1e-9);

@@ -125,7 +125,7 @@ function shownOf({ scenario, document, query, placed, planner }, { view, drive, 
   const driven = drive || roll ? drivenOf(scenario, drive, drive?.start ?? start ?? [], roll, euler) : null;
   return /** @type {Shown} */ ({
     ...{ scenario, document, query: query.name, start, goal, goals, target, placed, marked: null, rough: false },
-    ...{ hover: null, overlay: null, certifying: null },
+    ...{ hover: null, overlay: null, certifying: null, judged: null },
     driven: driven && { ...driven, drawUnder: drawTrace, drawOver: drawDrive },
     hand: hit ?? driven?.trace.subarray(-3) ?? null,
     check: hit ? scenario.check(hit) : { free: true, touching: [] },

@@ -1,11 +1,9 @@
 /** The button below the stage that asks whether a path exists, and the clearance that it has to have. */
 import { byId, make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
-import { Certifying } from "./certifying.js";
 
 /** @import { App } from "../../app/app.js" */
-/** @import { Session } from "./certifying.js" */
-/** @import { PlannerWorker } from "../worker/worker.js" */
+/** @import { Certifying, Session } from "./certifying.js" */
 /**
  * @typedef {object} State
  * @property {boolean} canCertify
@@ -21,10 +19,9 @@ import { Certifying } from "./certifying.js";
  * @property {(listener: (state: State) => void) => void} onState
  */
 
-/** @param {Page} page @param {PlannerWorker} worker */
-export function offerCertificate(page, worker) {
+/** @param {Page} page @param {() => Promise<Certifying>} load   what decides it */
+export function offerCertificate(page, load) {
   const { session, app } = page;
-  const certifying = (session.certifying = new Certifying(session, worker));
   const group = byId("certify", HTMLElement);
   /** @type {HTMLInputElement} */
   const clearance = make("input", {
@@ -37,7 +34,7 @@ export function offerCertificate(page, worker) {
   });
   const label = make("label", { htmlFor: clearance.id }, "with clearance above ", clearance, " m");
   const toggle = button("certify-ask", "Does a path exist?", () =>
-    certifying.on ? page.act(() => certifying.end()) : ask(),
+    session.certifying?.on ? page.act(() => session.certifying?.end()) : ask(),
   );
   group.append(toggle, label);
   page.onState(reflect);
@@ -46,8 +43,12 @@ export function offerCertificate(page, worker) {
   });
 
   function ask() {
-    if (clearance.reportValidity())
-      void app.track(certifying.begin(clearance.valueAsNumber || 0), "Whether a path exists cannot be decided.");
+    if (clearance.reportValidity()) void app.track(decide(), "Whether a path exists cannot be decided.");
+  }
+
+  async function decide() {
+    session.certifying ??= await load();
+    await session.certifying.begin(clearance.valueAsNumber || 0);
   }
 
   /** @param {State} state */

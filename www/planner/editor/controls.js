@@ -3,14 +3,21 @@
  * fold is open. Where the panel is below the stage, the tools are above the stage.
  */
 import { Editor } from "./editor.js";
-import { byId, make, reveal, write } from "../../app/dom.js";
+import { COMMANDS, HELP, commandOf } from "./keys.js";
+import { kindOf } from "./offers.js";
+import { RobotPanel } from "./robot-panel.js";
+import { ScenePanel } from "./scene-panel.js";
+import { SelectionPanel } from "./selection-panel.js";
+import { titleOf } from "./words.js";
+import { byId, make, reveal } from "../../app/dom.js";
 import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
-import { Field } from "../../widgets/field.js";
 
 /** @import { App } from "../../app/app.js" */
 /** @import { Session } from "./editor.js" */
-/** @import { EditTool, ScenarioDocument, Settings } from "../../domain/types.js" */
+/** @import { Command } from "./keys.js" */
+/** @import { EditTool, Scenario, ScenarioDocument, Settings } from "../../domain/types.js" */
+/** @import { Placed } from "../stage/placed.js" */
 /** @typedef {{ scene?: string, options?: Settings, document?: object, pace?: number }} Scene   a part of the page's state */
 /**
  * @typedef {object} Page   what is taken of the page
@@ -21,11 +28,20 @@ import { Field } from "../../widgets/field.js";
  * @property {{ name: string, document: ScenarioDocument } | null} facts
  * @property {{ pace?: number } | null} entry   the built-in scene
  * @property {(patch: Scene) => void} change
+ * @property {(patch: Scene, how: { play: boolean }, opened: Opened) => unknown} apply
  * @property {(action: () => void) => void} act
  * @property {(listener: () => void) => void} onOpen
  * @property {(listener: (state: { isEditing: boolean }) => void) => void} onState
  */
-/** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
+/**
+ * @typedef {object} Opened   a scenario to put on the stage
+ * @property {Scenario} scenario
+ * @property {ScenarioDocument} document
+ * @property {Scenario["robot"]} robot
+ * @property {number} dimension
+ * @property {string[]} queries
+ * @property {Placed | null} placed
+ */
 
 /** @type {[EditTool, string][]} */
 const TOOLS = [
@@ -33,52 +49,14 @@ const TOOLS = [
   ["disc", "Disc"],
   ["rectangle", "Rectangle"],
   ["polygon", "Polygon"],
+  ["wall", "Wall"],
 ];
-
-/** @type {Record<string, Command>} */
-const COMMANDS = {
-  previous: (editor) => editor.pick(-1),
-  next: (editor) => editor.pick(1),
-  insert: (editor) => editor.insert(),
-  remove: (editor) => editor.remove(),
-  duplicate: (editor) => editor.duplicate(),
-  undo: (editor) => editor.go(-1),
-  redo: (editor) => editor.go(1),
-};
-
-/** Moves the selection, with Shift ten times as far. @param {number} dx @param {number} dy @returns {Command} */
-const arrow = (dx, dy) => (editor, event) => {
-  const factor = event?.shiftKey ? 10 : 1;
-  editor.nudge(factor * dx, factor * dy, event?.repeat ?? false);
-};
-
-/** @type {Partial<Record<string, Command>>} */
-const KEYS = {
-  "[": (editor) => editor.select(-1),
-  "]": (editor) => editor.select(1),
-  PageUp: COMMANDS.previous,
-  PageDown: COMMANDS.next,
-  Delete: COMMANDS.remove,
-  Backspace: COMMANDS.remove,
-  Insert: COMMANDS.insert,
-  d: COMMANDS.duplicate,
-  Enter: (editor) => editor.enter(),
-  Escape: (editor) => editor.cancel(),
-  ArrowLeft: arrow(-1, 0),
-  ArrowRight: arrow(1, 0),
-  ArrowUp: arrow(0, 1),
-  ArrowDown: arrow(0, -1),
-  "Control+z": COMMANDS.undo,
-  "Control+Shift+z": COMMANDS.redo,
-  "Control+y": COMMANDS.redo,
-  "Control+Shift+y": COMMANDS.redo,
-};
 
 export class EditorControls {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    this.editor = page.session.editor = new Editor(page.session);
+    this.editor = page.session.editor = new Editor(page.session, (...opened) => this.reopen(...opened));
     this.fold = byId("editor-fold", HTMLDetailsElement);
     this.host = byId("editor", HTMLElement);
     this.stage = byId("stage", HTMLElement);
@@ -89,13 +67,6 @@ export class EditorControls {
     this.pace = undefined;
     this.changes = 0;
     this.message = "";
-    /** The objects that the fields are for. */
-    this.shape = "";
-    /** @type {Field[]} */
-    this.inputs = [];
-    /** The coordinates last written into the fields. @type {Editor["fields"]} */
-    this.shown = [];
-    this.refused = "";
     this.tools = TOOLS.map(([tool, text]) => this.button(text, (editor) => editor.use(tool)));
     this.undo = this.button("Undo", COMMANDS.undo, "Control+Z");
     this.redo = this.button("Redo", COMMANDS.redo, "Control+Shift+Z");
@@ -110,39 +81,22 @@ export class EditorControls {
       this.duplicate,
       this.remove,
     );
-    this.title = make("p", { className: "title" });
-    this.previous = this.button("Previous", COMMANDS.previous, "PageUp");
-    this.next = this.button("Next", COMMANDS.next, "PageDown");
-    this.insert = this.button("Add vertex", COMMANDS.insert, "Insert");
-    this.retarget = this.button("", (editor) => editor.retarget());
-    this.retarget.id = "edit-retarget";
-    this.parts = make("div", { className: "parts" }, this.previous, this.next, this.insert, this.retarget);
-    this.fields = make("div", {});
-    this.reason = make("p", { className: "reason", id: "edit-reason", hidden: true });
+    const act = (/** @type {Command} */ command) => this.act(command);
+    this.selection = new SelectionPanel(this.editor, act, (...button) => this.button(...button));
+    this.robot = new RobotPanel(this.editor, act);
+    this.scene = new ScenePanel(this.editor, act);
     const saveButton = button("edit-save", "Save JSON", () => {
       const { facts } = page;
       if (facts) save(json(facts.document), `${facts.name}.json`);
     });
     this.revert = this.button("Revert", (editor) => editor.revert());
     this.revert.title = "Restores the scene as opened; Undo restores your edits.";
-    const keys = make(
-      "details",
-      {},
-      make("summary", {}, "Editing keys"),
-      make(
-        "p",
-        { className: "hint" },
-        "On the stage: [ and ] select an object; Page Up and Page Down select a vertex, a joint or the tip of an arm; arrows move it (with Shift ten times as far); " +
-          "Insert adds a vertex; Delete deletes; D duplicates; Enter places the shape or closes the polygon; Escape cancels; " +
-          "Ctrl+Z undoes; Ctrl+Shift+Z redoes. Dragging with Shift snaps to a grid and to multiples of 15 degrees.",
-      ),
-    );
+    const keys = make("details", {}, make("summary", {}, "Editing keys"), make("p", { className: "hint" }, HELP));
     this.host.append(
       this.bar,
-      this.title,
-      this.parts,
-      this.fields,
-      this.reason,
+      ...this.selection.elements,
+      this.robot.element,
+      this.scene.element,
       make("div", { className: "parts" }, saveButton, this.revert),
       keys,
     );
@@ -154,6 +108,7 @@ export class EditorControls {
     });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
     page.onOpen(() => {
+      if (this.editor.isReopening) return;
       const { scene, options, document, pace } = page.record;
       this.original = { scene, options, document, pace };
       this.pace = page.entry?.pace ?? pace;
@@ -205,9 +160,7 @@ export class EditorControls {
 
   /** @param {KeyboardEvent} event */
   key(event) {
-    if (!this.fold.open || event.altKey || (event.key === "Enter" && event.target instanceof HTMLButtonElement)) return;
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const command = KEYS[event.ctrlKey || event.metaKey ? `Control+${event.shiftKey ? "Shift+" : ""}${key}` : key];
+    const command = this.fold.open ? commandOf(event) : undefined;
     if (!command) return;
     event.preventDefault();
     this.act(command, event);
@@ -215,13 +168,14 @@ export class EditorControls {
 
   /** @param {Editor} editor */
   show(editor) {
-    const { tool, kind, title, parts, announcement, reason, touching, goal, changes, refusal } = editor;
+    const { tool, announcement, reason, touching, obstacle, changes, refusal } = editor;
+    const kind = kindOf(editor);
     const { undoable, redoable } = editor.history;
     const { isBusy } = editor.hand;
     Object.assign(this.host.dataset, {
       tool,
       kind,
-      title,
+      title: titleOf(editor),
       code: refusal?.code ?? "",
       touching,
       undo: undoable,
@@ -233,18 +187,12 @@ export class EditorControls {
     this.tools.forEach((element, i) => press(element, TOOLS[i][0] === tool));
     this.undo.disabled = undoable === 0;
     this.redo.disabled = redoable === 0;
-    this.duplicate.disabled = kind === "" || kind === "end";
-    this.remove.disabled = this.duplicate.disabled && !isBusy;
+    this.duplicate.disabled = obstacle === null;
+    this.remove.disabled = obstacle === null && kind !== "bounds" && !isBusy;
     this.revert.disabled = !editor.isChanged;
-    write(this.title, title || "Nothing is selected.");
-    this.parts.hidden = parts === 0 && goal === "";
-    this.previous.hidden = this.next.hidden = parts === 0;
-    this.retarget.hidden = goal === "";
-    write(this.retarget, goal === "target" ? "Fix the configuration" : "Allow any configuration");
-    this.insert.hidden = kind !== "polygon";
-    write(this.reason, reason || touching);
-    this.reason.hidden = reason === "" && touching === "";
-    this.showFields(editor);
+    this.selection.show(reason, touching);
+    this.robot.show();
+    this.scene.show();
     const message = reason || (touching ? `${announcement} ${touching}` : announcement);
     if (message !== this.message && !isBusy) {
       this.message = message;
@@ -256,58 +204,44 @@ export class EditorControls {
     }
   }
 
-  /** Shows the coordinates of the selection. @param {Editor} editor */
-  showFields({ title, kind, part, fields, reason }) {
-    const shape = `${kind} ${title} ${fields.length}`;
-    if (shape !== this.shape) {
-      this.shape = shape;
-      this.shown = fields;
-      this.inputs = fields.map(
-        ({ name, unit, low, high, value }, i) =>
-          new Field(
-            {
-              name: name.replace(" ", "-"),
-              title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`,
-              unit,
-              kind: "number",
-              min: low,
-              max: high,
-              default: value,
-              choices: null,
-              robots: [],
-              meaning: "",
-            },
-            value,
-            () => this.enter(i),
-            "edit",
-            false,
-          ),
-      );
-      for (const { control } of this.inputs)
-        control.setAttribute("aria-describedby", `${control.getAttribute("aria-describedby")} edit-reason`);
-      this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
-    }
-    const isResolved = this.refused !== "" && reason === "";
-    this.refused = reason;
-    fields.forEach(({ value }, i) => {
-      // Text being typed stays until the number itself changes.
-      if (isResolved || value !== this.shown[i].value) this.inputs[i].set(value);
-    });
-    this.shown = fields;
-  }
-
-  /** Applies a typed number. @param {number} index */
-  enter(index) {
-    const { value, control } = this.inputs[index];
-    this.act((editor) => editor.set(index, Number(value)));
-    if (this.editor.refusal) control.ariaInvalid = "true";
-  }
-
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */
   adopt(isChanged) {
     const { page, original, pace } = this;
     const { document } = this.editor;
     page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document }, pace } : original);
     this.original = original;
+  }
+
+  /**
+   * Puts an edited scenario on the stage whose robot has other coordinates: planners that do not serve it are replaced.
+   * @param {Scenario} scenario
+   * @param {ScenarioDocument} document
+   * @param {Placed | null} placed
+   */
+  reopen(scenario, document, placed) {
+    const { page, original, pace } = this;
+    const isChanged = document !== this.editor.history.first;
+    page.apply(
+      isChanged ? { scene: undefined, options: undefined, document, pace } : original,
+      { play: false },
+      {
+        scenario,
+        document,
+        robot: scenario.robot,
+        dimension: scenario.dimension,
+        queries: document.queries.map(({ name }) => name),
+        placed,
+      },
+    );
+  }
+
+  /** Opens the editor with an empty scene. */
+  create() {
+    reveal(this.fold);
+    reveal(this.scene.element);
+    this.scene.element.open = true;
+    this.place();
+    this.scene.create();
+    this.scene.element.scrollIntoView({ block: "center", behavior: this.page.calm ? "auto" : "smooth" });
   }
 }

@@ -1,11 +1,11 @@
 /** The pointer in the editor, as a state machine over pointer events. */
 import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
-import { simple } from "./objects.js";
+import { simple, wall } from "./additions.js";
 import { gridOf } from "../../draw/ground.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
-/** @import { Point, Pointer } from "../../domain/types.js" */
+/** @import { Obstacle, Point, Pointer } from "../../domain/types.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Gesture } from "./gestures.js" */
 /** @import { EditorObject } from "./objects.js" */
@@ -16,6 +16,7 @@ import { gridOf } from "../../draw/ground.js";
  * @property {Pointer} from         its first event
  * @property {EditorObject | null} drawn   the new obstacle
  * @property {boolean} moved        whether it has left the slack
+ * @property {boolean} isWide       whether it goes on beyond the pane
  */
 
 /** Distance that a pointer moves before it drags, CSS pixels. */
@@ -29,7 +30,7 @@ export class Hand {
     this.drag = null;
     /** The latest move, handled in the next frame. @type {Pointer | null} */
     this.pending = null;
-    /** Vertices of the polygon being drawn. @type {Point[]} */
+    /** Vertices of the polygon or wall being drawn. @type {Point[]} */
     this.draft = [];
     /** The next vertex, under the pointer. @type {Point | null} */
     this.loose = null;
@@ -65,22 +66,28 @@ export class Hand {
   pass() {
     const { pending, drag, editor } = this;
     this.pending = null;
-    const place = pending && this.at(pending);
+    const place = pending && this.at(pending, drag?.isWide);
     if (!pending || !place) return;
     const { x, y, scale, square } = place;
     if (drag) {
       drag.moved ||=
         Math.hypot(pending.x - drag.from.x, pending.y - drag.from.y) > (pending.touch ? SLACK.touch : SLACK.mouse);
-      if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), drag.drawn ?? editor.selected);
+      if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), true, drag.drawn ?? editor.selected);
     } else if (this.draft.length > 0 && !square) this.loose = pointFrom(scale, this.draft.at(-1), x, y, pending.shift);
   }
 
-  /** The pane of a pointer and the nearest point on it. @param {Pointer} pointer */
-  at({ pane: id, x: px, y: py }) {
+  /**
+   * The pane of a pointer and the nearest point on it.
+   * @param {Pointer} pointer
+   * @param {boolean} [isWide]  whether the point may be beyond the pane
+   */
+  at({ pane: id, x: px, y: py }, isWide = false) {
     const found = this.editor.session.stage.at(id);
     const { view } = found?.pane ?? {};
     if (!found || !view) return null;
-    const [x, y] = view.toPlane(Math.min(view.width, Math.max(0, px)), Math.min(view.height, Math.max(0, py)));
+    const inside = (/** @type {number} */ value, /** @type {number} */ size) =>
+      isWide ? value : Math.min(size, Math.max(0, value));
+    const [x, y] = view.toPlane(inside(px, view.width), inside(py, view.height));
     return {
       pane: found.pane,
       x,
@@ -100,7 +107,7 @@ export class Hand {
     const reach = pointer.touch ? REACH.touch : REACH.mouse;
     editor.refusal = null;
     editor.session.byHand.release();
-    if (tool === "polygon" && !square) {
+    if ((tool === "polygon" || tool === "wall") && !square) {
       this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
     } else if ((tool === "disc" || tool === "rectangle") && !square) {
       const drawn = { kind: /** @type {const} */ ("obstacle"), index: shown.document.world.obstacles.length };
@@ -109,6 +116,7 @@ export class Hand {
         from: pointer,
         drawn,
         moved: false,
+        isWide: false,
       };
     } else {
       const hit = hitAt(pane, square !== null, shown, shown.query, editor.selected, pointer.x, pointer.y, reach);
@@ -119,12 +127,14 @@ export class Hand {
           from: pointer,
           drawn: null,
           moved: false,
+          isWide: hit.object.kind === "bounds",
         };
     }
   }
 
   /**
-   * Adds a vertex to the polygon, or closes it with a click on the first or the last one.
+   * Adds a vertex to the polygon or wall. A click on the first or the last one closes a polygon; a wall ends at its
+   * last point, and is closed by a click on its first one.
    * @param {Point} point
    * @param {number} reach  metres
    */
@@ -134,14 +144,17 @@ export class Hand {
       other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
     const isLast = isNear(draft.at(-1));
     this.loose = null;
-    if (draft.length >= 3 && (isLast || isNear(draft[0]))) this.close();
+    const least = this.editor.tool === "wall" && isLast ? 2 : 3;
+    if (draft.length >= least && (isLast || isNear(draft[0]))) this.close(!isLast);
     else if (!isLast) draft.push(point);
   }
 
-  /** Closes the polygon, if the core accepts it. */
-  close() {
+  /** Ends the polygon or wall, if the core accepts it. @param {boolean} [isRing]  whether a wall is closed */
+  close(isRing = false) {
     const { editor, draft } = this;
-    if (editor.add([{ type: "polygon", vertices: [...draft] }])) this.draft = [];
+    /** @type {Obstacle} */
+    const drawn = editor.tool === "wall" ? wall(draft, isRing, editor.size) : { type: "polygon", vertices: [...draft] };
+    if (editor.add([drawn])) this.draft = [];
   }
 
   up() {

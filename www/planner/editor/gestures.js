@@ -3,19 +3,11 @@
  * and directions to 15 degrees, and rectangles to squares.
  */
 import { gripOf, isTip } from "../stage/grip.js";
-import {
-  fine,
-  moved,
-  obstacleOf,
-  poseOf,
-  rectangle,
-  rounded,
-  targetOf,
-  withObstacle,
-  withPose,
-  withTarget,
-  withVertex,
-} from "./objects.js";
+import { rectangle } from "./additions.js";
+import { edgesOf, withEdges } from "./bounds.js";
+import { boundsOf, obstacleOf, poseOf, targetOf, withObstacle, withPose, withTarget } from "./objects.js";
+import { anchorOf, moved, withPoint } from "./parts.js";
+import { ANGLE, fine, rounded } from "./units.js";
 
 /** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -34,8 +26,7 @@ import {
  * @property {number} pixels   CSS pixels a metre
  */
 
-/** Units of angles for rounding and for Shift, radians. */
-export const ANGLE = 1e-4;
+/** The unit of angles for Shift, radians. */
 const TURN = Math.PI / 12;
 
 /** @param {number} value @param {number} step @param {number} unit @param {boolean} shift */
@@ -97,13 +88,23 @@ export function moveGesture(shown, { object, part, handle }, scale, square, [x0,
    * @returns {Gesture}
    */
   const carry = (anchor, put) => (x, y, shift) => put(pointAt(scale, anchor[0] + x - x0, anchor[1] + y - y0, shift));
-  if (obstacle?.type === "polygon" && handle) {
+  if (obstacle && handle) {
     const isAdded = handle.kind === "middle";
-    return carry(handle.at, (point) => replace(withVertex(obstacle, handle.part + Number(isAdded), point, isAdded)));
+    return carry(handle.at, (point) => replace(withPoint(obstacle, handle.part + Number(isAdded), point, isAdded)));
   }
   if (obstacle) {
-    const [ax, ay] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[0];
+    const [ax, ay] = anchorOf(obstacle);
     return carry([ax, ay], ([x, y]) => replace(moved(obstacle, x - ax, y - ay, scale.unit)));
+  }
+  const bounds = boundsOf(document, object);
+  if (bounds) {
+    const edges = edgesOf(bounds);
+    return carry(handle?.at ?? [x0, y0], (point) =>
+      withEdges(
+        document,
+        edges.map((value, i) => (handle?.edges?.includes(i) ? point[i % 2] : value)),
+      ),
+    );
   }
   const target = targetOf(document, object);
   if (target) return carry(target.point, (point) => withTarget(document, object, { ...target, point }));

@@ -1,12 +1,13 @@
 /**
  * Draws the editor's overlay: the selection and its handles, a polygon being drawn, and refused or colliding objects.
  */
-import { obstaclePath } from "planarium/draw";
-import { handlesOf } from "./handles.js";
+import { handlesFor, partOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
 import { isTip } from "../stage/grip.js";
-import { obstacleOf, poseOf, targetOf } from "./objects.js";
-import { ring } from "../../draw/marks.js";
+import { boundsOf, obstacleOf, poseOf, targetOf } from "./objects.js";
+import { collisionsOf } from "./offers.js";
+import { ring, setStroke } from "../../draw/marks.js";
+import { markObstacle } from "../../draw/obstacles.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts } from "../../draw/shapes.js";
 import { Workspace } from "../stage/workspace-pane.js";
 
@@ -16,6 +17,9 @@ import { Workspace } from "../stage/workspace-pane.js";
 /** @import { View } from "planarium/draw" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Scenario } from "../../domain/types.js" */
+
+/** Half the width of a handle, CSS pixels. */
+const SIZE = { vertex: 4.5, edges: 4.5, radius: 5, middle: 3 };
 
 /** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Editor} editor */
 export function drawOverlay(pane, context, lane, editor) {
@@ -47,14 +51,10 @@ export function drawOverlay(pane, context, lane, editor) {
  * @param {View} view
  * @param {Palette} palette
  */
-function drawObjects(
-  pane,
-  context,
-  lane,
-  { selected, part, hand: { draft, loose }, refused, collisions },
-  view,
-  palette,
-) {
+function drawObjects(pane, context, lane, editor, view, palette) {
+  const { selected, part, tool, refused } = editor;
+  const { draft, loose } = editor.hand;
+  const collisions = collisionsOf(editor);
   const { shown } = lane;
   const { document, scenario } = shown;
   for (const { pose, check } of collisions) {
@@ -85,47 +85,33 @@ function drawObjects(
   context.save();
   context.lineJoin = "round";
   const obstacle = obstacleOf(document, selected);
-  context.strokeStyle = palette.ink;
-  if (obstacle) {
-    obstaclePath(context, view, obstacle);
-    context.lineWidth = 2;
-    context.stroke();
-    context.lineWidth = 1.5;
-    for (const {
-      kind,
-      part: index,
-      at: [x, y],
-    } of handlesOf(obstacle, view)) {
-      const isActive = kind === "vertex" && index === part;
-      drawHandle(
-        context,
-        view.x(x),
-        view.y(y),
-        kind === "vertex" ? 4.5 : kind === "radius" ? 5 : 3,
-        kind === "vertex",
-        isActive ? palette.ink : palette.stage,
-      );
-    }
+  const bounds = boundsOf(document, selected);
+  setStroke(context, palette.ink, 2);
+  if (obstacle) markObstacle(context, view, obstacle, palette, { colour: palette.ink });
+  if (bounds) {
+    const [[left, bottom], [right, top]] = [view.place(bounds.min), view.place(bounds.max)];
+    context.strokeRect(left, top, right - left, bottom - top);
+  }
+  context.lineWidth = 1.5;
+  for (const handle of handlesFor(document, selected, view)) {
+    const { kind, at } = handle;
+    const isActive = part !== null && partOf(handle) === part;
+    const isSquare = kind === "vertex" || kind === "edges";
+    drawHandle(context, view.place(at), SIZE[kind], isSquare, isActive ? palette.ink : palette.stage);
   }
   if (draft.length > 0) {
-    context.setLineDash([4, 4]);
-    context.lineWidth = 2;
-    const vertices = loose ? [...draft, loose] : draft;
-    obstaclePath(context, view, { type: "polygon", vertices });
+    setStroke(context, palette.ink, 2, [4, 4]);
+    const points = loose ? [...draft, loose] : draft;
+    context.beginPath();
+    for (const point of points) context.lineTo(...view.place(point));
+    if (tool === "polygon") context.closePath();
     context.stroke();
-    context.setLineDash([]);
-    vertices.forEach(([x, y], i) => drawHandle(context, view.x(x), view.y(y), i === 0 ? 6 : 3.5, i > 0, palette.stage));
+    setStroke(context, palette.ink, 2);
+    points.forEach((at, i) => drawHandle(context, view.place(at), i === 0 ? 6 : 3.5, i > 0, palette.stage));
   }
   if (refused) {
-    obstaclePath(context, view, refused);
-    context.fillStyle = pane.hatchOnObstacle ?? palette.collision;
-    context.globalAlpha = 0.5;
-    context.fill("evenodd");
-    context.globalAlpha = 1;
-    context.strokeStyle = palette.collision;
-    context.setLineDash([5, 4]);
-    context.lineWidth = 2;
-    context.stroke();
+    const hatch = pane.hatchOnObstacle ?? palette.collision;
+    markObstacle(context, view, refused, palette, { hatch, colour: palette.collision, dash: [5, 4] });
   }
   context.restore();
 }
@@ -138,8 +124,8 @@ function drawObjects(
  * @param {Scenario} scenario
  * @param {Palette} palette
  */
-function nameTouching(pane, context, { collisions }, scenario, palette) {
-  for (const { end, pose, check } of collisions) {
+function nameTouching(pane, context, editor, scenario, palette) {
+  for (const { end, pose, check } of collisionsOf(editor)) {
     const [x, y] = pane.pixels(Float64Array.from(pose));
     if (!(pane instanceof Workspace)) drawHit(context, x, y, palette);
     const [first, ...more] = check.touching;
@@ -153,13 +139,12 @@ function nameTouching(pane, context, { collisions }, scenario, palette) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {number} x
- * @param {number} y
+ * @param {[number, number]} place
  * @param {number} radius
  * @param {boolean} isSquare
  * @param {string} fill
  */
-function drawHandle(context, x, y, radius, isSquare, fill) {
+function drawHandle(context, [x, y], radius, isSquare, fill) {
   context.beginPath();
   if (isSquare) context.rect(x - radius, y - radius, 2 * radius, 2 * radius);
   else context.arc(x, y, radius, 0, 2 * Math.PI);

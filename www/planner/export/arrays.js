@@ -11,6 +11,7 @@ import { readNpy, readNpyPolygons } from "../../formats/npy.js";
 /** @typedef {{ mark: (rows: Float64Array | null) => number }} Marker   marks configurations on the stage */
 /**
  * @typedef {object} Page   what is taken of the page
+ * @property {{ track: (promise: Promise<unknown>, title: string) => Promise<unknown> }} app
  * @property {{ ask: (text: string, choices: [string, string][]) => Promise<string> }} notice
  * @property {{ dimension: number, document: ScenarioDocument } | null} facts
  * @property {string | undefined} query
@@ -27,11 +28,23 @@ const MOST = 20_000;
 let line;
 
 /**
+ * Whether an array is a grid of cells: it has two dimensions, but neither two columns, for points, nor as many as
+ * configurations have numbers.
+ * @param {{ dimension: number }} facts
+ * @param {Uint8Array} bytes
+ */
+export function holdsCells({ dimension }, bytes) {
+  const shape = numericShape(bytes);
+  return shape?.length === 2 && shape[0] > 0 && shape[1] > 2 && shape[1] !== dimension;
+}
+
+/**
  * @param {Page} page  with a scene on its stage
  * @param {string} name  of the file @param {Uint8Array} bytes
+ * @param {(() => Promise<unknown>) | null} [judge]   judges configurations as a path, where the page can
  * @throws {Error} with a code: the file is damaged, too large, or of another shape
  */
-export async function openArray(page, name, bytes) {
+export async function openArray(page, name, bytes, judge = null) {
   const { facts } = page;
   if (!facts) throw Object.assign(new Error("No scene is open."), { code: "no-scene" });
   const { dimension } = facts;
@@ -46,11 +59,17 @@ export async function openArray(page, name, bytes) {
   /** @type {[string, string][]} */
   const choices = [];
   let what = "";
+  /** What an array cannot hold. @type {string[]} */
+  const lost = [];
   let polygons = /** @type {number[][][]} */ ([]);
   if (isPolygons) polygons = isRows ? maybePolygons(bytes) : readNpyPolygons(bytes);
   if (polygons.length > 0) {
     const vertices = polygons.reduce((sum, polygon) => sum + polygon.length, 0);
     what = `${name} holds ${counted(polygons.length, "polygon")} with ${grouped(vertices)} vertices`;
+    if (polygons.length > 1) lost.push("Each polygon is filled: an array has no holes.");
+    const { holes, walls } = lostIn(facts.document.world.obstacles);
+    if (holes + walls > 0)
+      lost.push(`To replace the obstacles removes ${counted(walls, "wall")} and ${counted(holes, "hole")} too.`);
     choices.push(["add", "Add to the scene"], ["replace", "Replace its obstacles"]);
   }
   if (isRows) {
@@ -58,9 +77,18 @@ export async function openArray(page, name, bytes) {
     what = what ? `${what}, or ${also}` : also;
     choices.unshift(["mark", "Show as configurations"]);
   }
-  const choice = choices.length === 1 ? choices[0][0] : await page.notice.ask(`${what}.`, choices);
-  if (choice === "mark") await mark(page, name, bytes);
+  const choice = choices.length === 1 ? choices[0][0] : await page.notice.ask([`${what}.`, ...lost].join(" "), choices);
+  if (choice === "mark") await mark(page, name, bytes, judge);
   else if (choice) await build(page, polygons, choice === "replace");
+}
+
+/** The numbers of holes and walls, which no array of polygons has. @param {Obstacle[]} obstacles */
+function lostIn(obstacles) {
+  const holes = obstacles.reduce(
+    (sum, obstacle) => sum + (obstacle.type === "polygon" ? (obstacle.holes?.length ?? 0) : 0),
+    0,
+  );
+  return { holes, walls: obstacles.filter(({ type }) => type === "wall").length };
 }
 
 /** The polygons of an array that may also be configurations. @param {Uint8Array} bytes */
@@ -108,8 +136,9 @@ async function build(page, polygons, alone) {
  * @param {Page} page
  * @param {string} name
  * @param {Uint8Array} bytes
+ * @param {(() => Promise<unknown>) | null} judge
  */
-async function mark(page, name, bytes) {
+async function mark(page, name, bytes, judge) {
   const {
     shape: [all, n],
     data,
@@ -121,11 +150,18 @@ async function mark(page, name, bytes) {
   const shown = line ?? makeLine(page);
   shown.dataset.free = String(free);
   shown.dataset.count = String(all);
-  const clear = button("clear-marks", "Clear", () => {
+  const drop = () => {
     page.act((session) => session.mark(null));
     shown.hidden = true;
     byId("stage", HTMLElement).focus();
-  });
+  };
+  const clear = button("clear-marks", "Clear", drop);
+  const buttons = judge && [
+    button("judge-marks", "Judge as a path", () => {
+      drop();
+      void page.app.track(judge(), `${name} could not be judged.`);
+    }),
+  ];
   shown.replaceChildren(
     make(
       "span",
@@ -136,7 +172,7 @@ async function mark(page, name, bytes) {
       sign("cross"),
       ` ${grouped(all - free)} in collision.`,
     ),
-    clear,
+    make("span", { className: "buttons" }, ...(buttons ?? []), clear),
   );
   shown.hidden = false;
 }

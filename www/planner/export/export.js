@@ -25,6 +25,8 @@ import { layoutOfStage, sameRun } from "./picture.js";
 /** @import { Timeline } from "../timeline/playback.js" */
 /** @import { Drives } from "./films.js" */
 /** @import { Session } from "./picture.js" */
+/** @import { Timing } from "../timing/timing.js" */
+/** @import { PathForm } from "planarium/import" */
 /**
  * @typedef {object} State
  * @property {{ now: number }} clock
@@ -38,6 +40,7 @@ import { layoutOfStage, sameRun } from "./picture.js";
  * @property {State | null} state
  * @property {{ name: string, robot: string, document: ScenarioDocument } | null} facts
  * @property {string[]} names
+ * @property {{ timing: Timing } | null} timing   the fold that times paths, once it was opened
  * @property {(listener: () => void) => void} onOpen
  * @property {(listener: (state: State) => void) => void} onState
  */
@@ -47,6 +50,20 @@ import { layoutOfStage, sameRun } from "./picture.js";
  * @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }}
  *   Offer   `lack`: why there is no file, or empty
  */
+
+/**
+ * The forms of a timed path; those with places are not for arms.
+ * @type {{ id: PathForm, title: string, extension: string, type: string, isPlaced: boolean }[]}
+ */
+const FORMS = [
+  { id: "csv", title: "CSV", extension: "csv", type: "text/csv", isPlaced: false },
+  { id: "json", title: "JSON", extension: "json", type: "application/json", isPlaced: false },
+  { id: "npy", title: "NPY", extension: "npy", type: "application/octet-stream", isPlaced: false },
+  { id: "svg", title: "SVG", extension: "svg", type: "image/svg+xml", isPlaced: false },
+  { id: "geojson", title: "GeoJSON", extension: "geojson", type: "application/geo+json", isPlaced: true },
+  { id: "nav-path", title: "ROS path", extension: "yaml", type: "application/yaml", isPlaced: true },
+  { id: "nav-waypoints", title: "ROS waypoints", extension: "yaml", type: "application/yaml", isPlaced: true },
+];
 
 /** @param {State} state */
 const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "No planner has run." : "");
@@ -72,6 +89,11 @@ export function showExport(page) {
     "2",
   );
   const lane = select("export-lane", "Planner", []);
+  const form = select(
+    "export-form",
+    "Form",
+    FORMS.map(({ id, title }) => [id, title]),
+  );
   const laneRow = row("Planner", lane);
   laneRow.hidden = true;
   const films = filmRow(page.app, progress, { subjects: filmsOf(page), name });
@@ -103,6 +125,27 @@ export function showExport(page) {
         save(npy(Float64Array.from(asked()?.path.flat() ?? path), dimension), `${nameOfLane()}-path.npy`);
       },
     ),
+    offer("trajectory", "Trajectory", "JSON", "The path with its timing, for planarium verify.", untimed, async () => {
+      const trajectory = await page.timing?.timing.document(Number(lane.value));
+      if (trajectory) save(json(trajectory), `${nameOfLane()}-trajectory.json`);
+    }),
+    offer(
+      "timed",
+      "Timed path",
+      "File",
+      "For other programs, in the coordinates of the map.",
+      untimed,
+      async () => {
+        const { id, extension, type } = FORMS.find(({ id }) => id === form.value) ?? FORMS[0];
+        const bytes = await page.timing?.timing.write(Number(lane.value), id);
+        if (bytes)
+          save(
+            new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type }),
+            `${nameOfLane()}-timed.${extension}`,
+          );
+      },
+      form,
+    ),
     offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", noRun, async () => {
       const { vertices, past, dimension } = await runOf(lane.value);
       save(npy(vertices.slice(0, past[PAST.vertices]), dimension), `${nameOfLane()}-vertices.npy`);
@@ -130,9 +173,18 @@ export function showExport(page) {
     return element;
   }
 
+  /** Why the path has no trajectory. */
+  function untimed() {
+    const { timing = null } = page.timing ?? {};
+    return timing && timing.indexOf(Number(lane.value)) >= 0 ? "" : "The path is not timed: open \u201cTiming\u201d.";
+  }
+
   /** @param {State} state */
   function reflect(state) {
     const { names } = page;
+    const isArm = page.facts?.robot === "arm";
+    for (const [i, option] of Array.from(form.options).entries()) option.disabled = isArm && FORMS[i].isPlaced;
+    if (form.selectedOptions[0]?.disabled) form.value = FORMS[0].id;
     laneRow.hidden = names.length === 1;
     if (lane.dataset.names !== names.join("|")) {
       lane.dataset.names = names.join("|");

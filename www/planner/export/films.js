@@ -68,9 +68,9 @@ export function filmsOf(page) {
     {
       id: "path",
       title: "The robot",
-      meaning: "The robot along its path.",
+      meaning: `The robot along its path. One that is timed, and takes more than ${DRIVE.most} s, is shown faster.`,
       lack: () => (session.travelling ? "" : "No path yet: it can be saved once the run has ended."),
-      open: (width) => film(width, session.playbacks[0].duration, true, followPaths),
+      open: (width) => film(width, lasting(session.playbacks[0].seconds), true, followPaths),
     },
     {
       id: "drive",

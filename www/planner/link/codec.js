@@ -34,6 +34,9 @@ const LIMITS = { characters: 65535, bytes: 1 << 20 };
 /** Steps of a drive, and characters of its keys, at most. */
 const DRIVE = { steps: 1_000_000, keys: 65_535 };
 
+/** A limit of a trajectory, as the core allows it. @type {Rule<number>} */
+const limit = rule((value) => typeof value === "number" && value >= 1e-6 && value <= 1e9);
+
 const experimentRule = withDefaults(
   {
     version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
@@ -66,6 +69,16 @@ const experimentRule = withDefaults(
     drive: record({ start: list(number, 3, 3), keys: formed(KEY_TEXT, DRIVE.keys), steps: whole(DRIVE.steps) }),
     roll: /** @type {Rule<[number, number, number]>} */ (list(number, 3, 3)),
     euler: oneOf(EULER_STEPS),
+    // The limits by which paths are timed, where they are not those that the page chooses, and how fast the robot is
+    // shown. Absent while nothing is timed.
+    timing: record({
+      speed: limit,
+      acceleration: limit,
+      turn_rate: limit,
+      turn_acceleration: limit,
+      lateral_acceleration: limit,
+      pace: oneOf(/** @type {const} */ ([0.5, 2])),
+    }),
   },
   { version: /** @type {const} */ (1), iteration: 0, view: {} },
 );

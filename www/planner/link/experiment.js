@@ -52,7 +52,7 @@ export const POSES = 8;
  */
 export function experimentOf({ record, state, plans, planners, race, session, entry, generation }) {
   if (!state) throw new Error("No scene is open.");
-  const { query, view, scene, document, pace } = record;
+  const { query, view, scene, document, pace, timing } = record;
   return {
     version: 1,
     query,
@@ -67,6 +67,7 @@ export function experimentOf({ record, state, plans, planners, race, session, en
     scene,
     document,
     pace,
+    timing,
     options: generation ? changed(generation.options, (name) => entry?.generate?.options[name]) : undefined,
     ...inHand(session),
   };

@@ -1,7 +1,7 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
 import { errorInfo } from "../../app/error-info.js";
 import { makeShare } from "../../app/link.js";
-import { byId, grouped, reveal } from "../../app/dom.js";
+import { byId, counted, grouped, reveal } from "../../app/dom.js";
 import { decodeLink, encodeLink } from "./codec.js";
 import { experimentOf, known } from "./experiment.js";
 
@@ -9,7 +9,7 @@ import { experimentOf, known } from "./experiment.js";
 /** @import { Moment, Open, Planners } from "./experiment.js" */
 /** @import { Projector } from "../../app/projector.js" */
 /** @import { Experiment } from "./codec.js" */
-/** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
+/** @import { GeneratorInfo, ScenarioDocument, SceneEntry } from "../../domain/types.js" */
 /**
  * @typedef {object} State
  * @property {{ now: number, isRace: boolean }} clock
@@ -58,7 +58,17 @@ export class Link {
     this.wanted = null;
     const encode = async () => {
       await page.arrived();
-      return encodeLink(experimentOf(page));
+      const experiment = experimentOf(page);
+      try {
+        return await encodeLink(experiment);
+      } catch (error) {
+        if (!experiment.document) throw error;
+        const { obstacles } = /** @type {ScenarioDocument} */ (/** @type {unknown} */ (experiment.document)).world;
+        throw new Error(
+          `A link stores the whole scene, and this one is too large for it, with ${counted(obstacles.length, "obstacle")}: save it as a scenario, under Export.`,
+          { cause: error },
+        );
+      }
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
     page.onOpen(() => {
@@ -99,7 +109,7 @@ export class Link {
     const { page, catalogue } = this;
     /** @type {string[]} */
     const faults = [];
-    const unfit = await page.open(known(experiment, catalogue, faults), { play: false });
+    const unfit = await page.open({ timing: undefined, ...known(experiment, catalogue, faults) }, { play: false });
     if (!unfit) return;
     const { request } = page;
     faults.push(...unfit);
@@ -107,6 +117,7 @@ export class Link {
     this.projector.turn(view.projector ?? false);
     if (SHOWN.some((name) => view[name])) reveal(byId("view", HTMLElement));
     if (page.plans.length > 1) reveal(byId("race", HTMLElement));
+    if (rest.timing) reveal(byId("timing", HTMLElement));
     if (rest.pose) reveal(byId("pose", HTMLElement));
     this.wanted = { time: iteration, faults };
     await this.drive(rest, faults);

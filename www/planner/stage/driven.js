@@ -1,14 +1,15 @@
 /** The drawing of driving: the trace of the car, what stopped it, the rollout of a control, Euler's steps beside it. */
 import { obstacleName } from "../../domain/names.js";
+import { box, coreOf, middleOf } from "../../domain/obstacles.js";
 import { tracePen } from "../../draw/pen.js";
-import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "../../draw/shapes.js";
+import { drawGhost, drawHit, drawLabel } from "../../draw/shapes.js";
 import { Workspace } from "./workspace-pane.js";
 
 /** @import { Lane } from "./lane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { View } from "planarium/draw" */
-/** @import { Obstacle, Part, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Obstacle, Part, Point, ScenarioDocument } from "../../domain/types.js" */
 
 /** Ghosts of a rollout. */
 const GHOSTS = 9;
@@ -75,7 +76,7 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
     const [hx, hy] = pane.place(Float64Array.from(at));
     drawHit(context, hx, hy, palette);
     if (what === "bounds") continue;
-    const [ox, oy] = obstacleMiddle(document.world.obstacles[what]);
+    const [ox, oy] = middleOf(document.world.obstacles[what]);
     const view = /** @type {View} */ (pane.view);
     const clear = Math.abs(view.y(oy) - hy) < 26 ? hy + (hy > 60 ? -26 : 26) : view.y(oy);
     drawLabel(context, obstacleName(what), view.x(ox), clear, palette.collision, palette);
@@ -89,46 +90,33 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
  * @returns {[number, number]}
  */
 function nearest(part, thing) {
-  const corners = part.type === "polygon" ? part.vertices : [];
+  const { segments, radius } = coreOf(thing);
   let least = Infinity;
   /** @type {[number, number]} */
-  let best = corners[0];
-  /** @param {[number, number]} at @param {number} distance */
-  const offer = (at, distance) => {
+  let best = [NaN, NaN];
+  /** @param {Point} on  the core of the thing @param {Point} at  the car */
+  const offer = (on, at) => {
+    const [dx, dy] = [at[0] - on[0], at[1] - on[1]];
+    const distance = Math.hypot(dx, dy);
     if (distance >= least) return;
     least = distance;
-    best = at;
+    const share = radius / (distance || 1);
+    best = [on[0] + share * dx, on[1] + share * dy];
   };
-  corners.forEach((corner, i) => {
-    const next = corners[(i + 1) % corners.length];
-    if (thing.type === "disc") {
-      const [x, y] = onSegment(thing.center, corner, next);
-      const far = Math.hypot(x - thing.center[0], y - thing.center[1]);
-      offer(
-        [
-          thing.center[0] + ((x - thing.center[0]) * thing.radius) / far,
-          thing.center[1] + ((y - thing.center[1]) * thing.radius) / far,
-        ],
-        far,
-      );
-      return;
+  for (const [corner, next] of coreOf(part).segments)
+    for (const [a, b] of segments) {
+      offer(onSegment(corner, a, b), corner);
+      for (const end of [a, b]) offer(end, onSegment(end, corner, next));
     }
-    thing.vertices.forEach((vertex, j) => {
-      const [x, y] = onSegment(corner, vertex, thing.vertices[(j + 1) % thing.vertices.length]);
-      offer([x, y], Math.hypot(x - corner[0], y - corner[1]));
-      const [cx, cy] = onSegment(vertex, corner, next);
-      offer(vertex, Math.hypot(cx - vertex[0], cy - vertex[1]));
-    });
-  });
   return best;
 }
 
 /**
  * The point of a segment nearest to another.
- * @param {[number, number]} point
- * @param {[number, number]} a
- * @param {[number, number]} b
- * @returns {[number, number]}
+ * @param {Point} point
+ * @param {Point} a
+ * @param {Point} b
+ * @returns {Point}
  */
 function onSegment([x, y], [ax, ay], [bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
@@ -136,18 +124,10 @@ function onSegment([x, y], [ax, ay], [bx, by]) {
   return [ax + t * dx, ay + t * dy];
 }
 
-/** @param {ScenarioDocument["world"]["bounds"]} bounds @returns {Obstacle} */
+/** @param {ScenarioDocument["world"]["bounds"]} bounds */
 function boxOf(bounds) {
   const { min, max } = bounds ?? { min: [0, 0], max: [0, 0] };
-  return {
-    type: "polygon",
-    vertices: [
-      [min[0], min[1]],
-      [max[0], min[1]],
-      [max[0], max[1]],
-      [min[0], max[1]],
-    ],
-  };
+  return box(min[0], min[1], max[0] - min[0], max[1] - min[1]);
 }
 
 /**

@@ -3,9 +3,9 @@
  * which turns or slides, or by its end effector, which it follows; a disc; a body, or its heading.
  */
 import { wrap } from "planarium/draw";
-import { contains } from "../../draw/shapes.js";
 import { distanceToSegment } from "../../draw/trace.js";
 import { contained, coordinatesOf, directionsOf } from "../../domain/coordinates.js";
+import { coreOf, encloses } from "../../domain/obstacles.js";
 
 /** @import { View } from "planarium/draw" */
 /** @import { CSpace } from "./cspace-pane.js" */
@@ -132,10 +132,7 @@ export function gripOf(
  * @param {number} y
  */
 export function distanceToShape(shape, x, y) {
-  if (shape.type === "disc") return Math.hypot(x - shape.center[0], y - shape.center[1]) - shape.radius;
-  if (shape.type === "capsule") return distanceToSegment(x, y, shape.a, shape.b) - shape.radius;
-  const { vertices } = shape;
-  return contains(vertices, x, y)
-    ? 0
-    : Math.min(...vertices.map((vertex, i) => distanceToSegment(x, y, vertex, vertices[(i + 1) % vertices.length])));
+  if (shape.type === "polygon" && encloses(shape, x, y)) return 0;
+  const { segments, radius } = coreOf(shape);
+  return segments.reduce((least, [a, b]) => Math.min(least, distanceToSegment(x, y, a, b)), Infinity) - radius;
 }

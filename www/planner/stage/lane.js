@@ -8,8 +8,10 @@ import { RunLog } from "../run-log/run-log.js";
 /** @import { Pane } from "./pane.js" */
 /** @import { Placed } from "./placed.js" */
 /** @import { PathPlayback } from "./path-playback.js" */
+/** @import { OpenedWorld } from "../../worlds/door.js" */
+/** @import { CellPicture } from "../../worlds/picture.js" */
 /** @import { Answer } from "../worker/stepper.js" */
-/** @import { Check, Configuration, Plan, Scenario } from "../../domain/types.js" */
+/** @import { Box, Check, Configuration, Plan, Scenario } from "../../domain/types.js" */
 /** @import { ScenarioDocument, Target, ViewOptions } from "../../domain/types.js" */
 
 /**
@@ -31,6 +33,18 @@ import { RunLog } from "../run-log/run-log.js";
  * @property {Drawn | null} certifying      while it is decided whether a path exists
  * @property {Placed | null} placed         for a body or a car
  * @property {Driven | null} driven         while the car is driven
+ * @property {{ drawUnder: Draw, drawOver: Draw } | null} judged   a path of another program
+ * @property {OpenWorld} [world]            what was opened in place of something else
+ * @property {Box} [window]                 the part of the plane that is shown, where it is not all of it
+ */
+
+/**
+ * What was opened in place of something else. It stays with the scene while that is edited.
+ * @typedef {object} OpenWorld
+ * @property {OpenedWorld | null} opened   the file of another program; null: a scene that is open again
+ * @property {CellPicture | undefined} map   the cells that its obstacles were made of
+ * @property {{ name: string, patch: object, opened: OpenedWorld | null, map: CellPicture | undefined }} before   what was
+ *   open; its state is a patch of the page's
  */
 
 /** @typedef {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} Draw */
@@ -155,7 +169,7 @@ export class Lane {
   get pose() {
     if (this.shown.hand) return this.shown.hand;
     const { playback } = this;
-    return playback && playback.drawn >= 1 ? playback.configuration(playback.at) : null;
+    return playback && playback.drawn >= 1 ? playback.pose : null;
   }
 
   /** The steering angle of a car. */

@@ -200,11 +200,13 @@ export class Pane {
     else if (lane.run) this.drawBest(context, lane.run, palette);
     if (lane.optimum && lane.shown.view.optimum) this.drawThin(context, lane.optimum.rows, palette.ink, [7, 4]);
     context.restore();
+    lane.shown.judged?.drawUnder(this, context, lane);
     this.drawEnds(context, lane, palette);
     const { hover } = lane.shown;
     if (hover?.lane === lane) this.drawHover(context, hover, palette);
     lane.shown.driven?.drawUnder(this, context, lane);
     this.drawRobot(context, lane);
+    lane.shown.judged?.drawOver(this, context, lane);
     lane.shown.driven?.drawOver(this, context, lane);
     lane.shown.overlay?.draw(this, context, lane);
   }

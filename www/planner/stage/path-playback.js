@@ -1,6 +1,7 @@
 /**
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at
- * constant speed in the metric of the path. Corners that have blends are rounded.
+ * constant speed in the metric of the path. Corners that have blends are rounded. On a path that is timed the robot
+ * moves as it is timed, to the goal and from the start again.
  */
 import { blendedPath } from "planarium/draw";
 import { rowsOf, sizeOf, turnsAlong } from "../../domain/coordinates.js";
@@ -10,6 +11,13 @@ import { firstIndex } from "../../domain/search.js";
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Check, ResultDocument, Scenario } from "../../domain/types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
+/**
+ * @typedef {object} Timed   when the robot is where on a path
+ * @property {number} period   seconds from the start to the goal; in a race those of the slowest robot
+ * @property {number} pace     seconds of the robot in one that passes
+ * @property {(part: number) => Float64Array} pose   at a part of the period, 0 to 1
+ * @property {(part: number) => number} steering     of a car, radians
+ */
 /**
  * @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the
  *   configuration and its check
@@ -64,6 +72,8 @@ export class PathPlayback {
     this.at = 0;
     this.heading = 1;
     this.resting = 0;
+    /** @type {Timed | null} */
+    this.timed = null;
     this.samples = this.sample(Math.min(900, Math.max(120, Math.ceil(this.length / (speed / 40)))));
     /** The first collision of a path that is not proven. @type {Flaw | null} */
     this.flaw = isProven ? null : this.firstFlaw();
@@ -115,8 +125,19 @@ export class PathPlayback {
     return firstIndex(1, this.waypoints.length - 1, (i) => this.reached[i] > target) - 1;
   }
 
+  /** The configuration at the robot's position. */
+  get pose() {
+    return this.timed ? this.timed.pose(this.at) : this.configuration(this.at);
+  }
+
+  /** Seconds that the robot takes to the goal. */
+  get seconds() {
+    return this.timed ? this.timed.period / this.timed.pace : this.duration;
+  }
+
   /** The steering angle at the robot's position. */
   get steering() {
+    if (this.timed) return this.timed.steering(this.at);
     return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0;
   }
 
@@ -138,9 +159,10 @@ export class PathPlayback {
     }
     if (this.resting > 0) {
       this.resting -= seconds;
+      if (this.timed && this.resting <= 0 && this.at === 1) this.at = 0;
       return;
     }
-    this.at += (this.heading * seconds) / this.duration;
+    this.at += ((this.timed ? 1 : this.heading) * seconds) / this.seconds;
     if (this.at >= 1 || this.at <= 0) {
       this.at = this.at >= 1 ? 1 : 0;
       this.heading = -this.heading;

@@ -39,6 +39,8 @@ export class Stage {
     this.isBehind = false;
     this.last = 0;
     this.turn = 0;
+    /** Whether the view is being dragged: then rows are limited as while a run plays. */
+    this.isDragged = false;
   }
 
   /**
@@ -134,7 +136,7 @@ export class Stage {
   }
 
   /**
-   * Draws one frame. While it plays, the rows drawn are limited by the time that frames take: a script only records
+   * Draws one frame. While it plays or is dragged, the rows drawn are limited by the time that frames take: a script only records
    * drawing that the browser rasterizes later.
    * @param {Lane[]} lanes
    * @param {number} now
@@ -156,7 +158,7 @@ export class Stage {
     this.stale.clear();
     const began = performance.now();
     for (const { pane } of places) pane.refine();
-    const most = isPlaying ? this.share(now) : Infinity;
+    const most = isPlaying || this.isDragged ? this.share(now) : Infinity;
     const behind = places.filter((place) => !isCaughtUp(place));
     this.isBehind = behind.length > 0;
     // When frames are long, panes are drawn in turn.

@@ -4,7 +4,7 @@ import { drawBase, drawGround } from "../../draw/ground.js";
 import { drawInformed } from "./informed.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { drawGhost, drawTarget } from "../../draw/shapes.js";
+import { drawGhost, drawMargin, drawTarget } from "../../draw/shapes.js";
 import { drawTouched, drawTouching } from "../../draw/touching.js";
 
 /** @import { Hover, Lane } from "./lane.js" */
@@ -16,7 +16,7 @@ import { drawTouched, drawTouching } from "../../draw/touching.js";
 export class Workspace extends Pane {
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {
-    return new View(lane.scenario.extent(), width, height);
+    return new View(lane.shown.window ?? lane.scenario.extent(), width, height);
   }
 
   /** @param {Float64Array} rows @override */
@@ -46,7 +46,7 @@ export class Workspace extends Pane {
     const { view, palette } = this;
     if (!view || !palette) return;
     const { robot } = shown.document;
-    drawGround(context, view, shown.document, palette);
+    drawGround(context, view, shown.document, palette, shown.world?.map);
     const { start, goal, goals, scenario } = shown;
     const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
@@ -56,7 +56,9 @@ export class Workspace extends Pane {
       [start, palette.start, 0.16, []],
     ])) {
       if (!pose) continue;
-      drawGhost(context, view, scenario.footprint(pose), {
+      const parts = scenario.footprint(pose);
+      drawMargin(context, view, parts, robot.margin, colour);
+      drawGhost(context, view, parts, {
         colour,
         fill,
         stroke: dash.length > 0 && goals.length > 1 ? 0.5 : 0.95,
@@ -100,10 +102,10 @@ export class Workspace extends Pane {
     const { view, palette } = this;
     const { pose } = lane;
     if (!view || !palette || !pose) return;
-    const { scenario, hand, check } = lane.shown;
+    const { scenario, document, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
     this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () =>
-      drawRobot(context, view, parts, palette),
+      drawRobot(context, view, parts, palette, document.robot.margin),
     );
     lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette.robotEdge, palette.robot);
   }

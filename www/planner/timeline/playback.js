@@ -112,8 +112,8 @@ export class Timeline {
     const { session, clock } = this;
     if (session.growing) clock.pass(elapsed);
     else if (clock.playing) this.travel(elapsed);
-    // Rows that are not drawn yet come first.
-    if (!clock.owes || !session.stage.caughtUp) return false;
+    // Rows that are not drawn yet come first, except on the way to the end: the answer does not wait for the drawing.
+    if (!clock.owes || !(session.stage.caughtUp || clock.rushing)) return false;
     if (!session.growing) {
       clock.rest();
       return false;

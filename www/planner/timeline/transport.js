@@ -4,7 +4,7 @@
  */
 import { byId, grouped, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
-import { capital } from "../../widgets/format.js";
+import { capital, secondsText } from "../../widgets/format.js";
 
 /** @import { LaneState } from "../run-log/lane-state.js" */
 /** @import { Clock } from "./clock.js" */
@@ -17,6 +17,7 @@ import { capital } from "../../widgets/format.js";
  * @property {boolean} growing
  * @property {boolean} travelling
  * @property {number} along
+ * @property {{ time: number, end: number } | null} timed
  * @property {LaneState[]} lanes
  */
 /**
@@ -132,7 +133,7 @@ export class Transport {
   }
 
   /** @param {State} state */
-  show({ clock, playing, growing, travelling, along, lanes }) {
+  show({ clock, playing, growing, travelling, along, timed, lanes }) {
     if (clock.unit !== this.unit) this.setUnit(clock);
     const ready = lanes.some(({ status }) => status !== "none");
     this.play.disabled = !ready || (!growing && !travelling && clock.head === 0);
@@ -145,7 +146,11 @@ export class Transport {
     byId("speed-row", HTMLElement).hidden = travelling;
     byId("along-row", HTMLElement).hidden = !travelling;
     if (!this.along.matches(":active")) this.along.value = String(along);
-    this.along.setAttribute("aria-valuetext", `${Math.round(100 * along)} percent of the path`);
+    write(byId("along-name", HTMLElement), timed ? "Time" : "Path");
+    this.along.setAttribute(
+      "aria-valuetext",
+      timed ? secondsText(timed.time, timed.end) : `${Math.round(100 * along)} percent of the path`,
+    );
     this.timeline.disabled = this.time.disabled = !ready;
     const head = String(clock.head);
     if (this.timeline.max !== head) this.timeline.max = head;

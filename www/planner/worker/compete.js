@@ -17,7 +17,7 @@ const LEAD = 1000;
  * @returns {boolean} whether all have reached that time or ended
  */
 export function compete(runs, column, wanted, until) {
-  const bursts = new Map(runs.map((run) => [run, run.burst()]));
+  const bursts = new Map(runs.map((run) => [run, run.burst(wanted)]));
   for (;;) {
     const behind = runs
       .filter((run) => !run.hasPassed(column, wanted))

@@ -29,6 +29,8 @@ import { withOptions } from "../../domain/option-names.js";
 
 /** Most vertices and edges of one block: as many as a frame can draw. */
 const BURST = { vertices: 400, edges: 240 };
+/** Blocks at once on the way to the end, where fewer frames show all that has grown. */
+const RUSH = 4;
 
 /**
  * Steps one planner. `column` selects the clock: a column of the history, such as clearance evaluations, or -1 for
@@ -102,9 +104,11 @@ export class Stepper extends PlannerHost {
     return this.growth(true);
   }
 
-  /** The counts at which a block is full. */
-  burst() {
-    return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges };
+  /** The counts at which a block is full. @param {number} wanted  the time to reach */
+  burst(wanted) {
+    const blocks = wanted === Infinity ? RUSH : 1;
+    const { vertexCount, edgeCount } = this.planner;
+    return { vertices: vertexCount + blocks * BURST.vertices, edges: edgeCount + blocks * BURST.edges };
   }
 
   /**
@@ -115,7 +119,7 @@ export class Stepper extends PlannerHost {
    * @param {{ vertices: number, edges: number }} [most]  counts at which to stop
    * @returns {boolean} whether it has passed that time, or ended
    */
-  advance(column, wanted, until, most = this.burst()) {
+  advance(column, wanted, until, most = this.burst(wanted)) {
     const { planner } = this;
     let isFull = false;
     const left = () => {

@@ -1,0 +1,49 @@
+/** The worker that times paths and judges those of other programs: it has all of the core, and the module of formats. */
+import { Scenario } from "planarium/full";
+import { serve } from "../app/worker-server.js";
+import { judge, read } from "./judging.js";
+import { documentOf, dropTrajectories, forgetTrajectories, timed, written } from "./timing.js";
+
+/** @import { TimingLimits } from "planarium/full" */
+/** @import { PathForm } from "planarium/import" */
+/** @import { ResultDocument, ScenarioDocument } from "../domain/types.js" */
+
+/** What the paths are paths of. @type {{ scenario: Scenario, document: ScenarioDocument } | null} */
+let held = null;
+
+function scene() {
+  if (!held) throw Object.assign(new Error("No scene is open."), { code: "no-scene" });
+  return held;
+}
+
+const commands = {
+  /** Another scene, in place of the one before. @param {ScenarioDocument} document */
+  hold(document) {
+    held?.scenario.free();
+    held = null;
+    held = { scenario: Scenario.parse(document), document };
+  },
+  /** The trajectories of results. @param {ResultDocument[]} results @param {TimingLimits} limits */
+  time: (results, limits) => timed(scene(), results, limits),
+  read,
+  /** Judges the path that was read last. @param {boolean} arcs   are motions along arcs? */
+  judge: (arcs) => judge(scene().scenario, arcs),
+  /** Frees the trajectories. */
+  drop: dropTrajectories,
+  /** @param {number} index   of a trajectory that was made last */
+  trajectory: (index) => documentOf(index),
+  /** @param {number} index @param {PathForm} form @param {string | undefined} query */
+  write: (index, form, query) => written(index, form, query),
+};
+
+/** @typedef {import("../app/worker-client.js").Remote<typeof commands>} PathWorker */
+
+serve({
+  paths: {
+    commands,
+    reset: () => {
+      held = null;
+      forgetTrajectories();
+    },
+  },
+});

@@ -57,6 +57,7 @@ function distanceOf({ world: { obstacles }, robot }) {
   // Each obstacle in a circle; the edges of a polygon by both ends.
   const around = obstacles.map((one) => {
     if (one.type === "disc") return { x: one.center[0], y: one.center[1], r: one.radius, edges: new Float64Array(0) };
+    if (one.type === "wall" || one.holes) throw new Error("walls and holes are not supported here");
     const [x, y] = [0, 1].map((j) => one.vertices.reduce((sum, vertex) => sum + vertex[j], 0) / one.vertices.length);
     const r = Math.max(...one.vertices.map((vertex) => Math.hypot(vertex[0] - x, vertex[1] - y)));
     return {

@@ -10,7 +10,9 @@
  *   --jobs N          runs at the same time (as many as there are processors)
  *   --binary FILE     the program that plans (built if it is not given)
  *   --rows FILE       also writes a line of JSON for each run
- *   --write           updates the table in docs/benchmarks.md
+ *   --write           updates the table in docs/benchmarks.md, or docs/worlds.md
+ *   --files           measures the files of other people instead, beside OMPL: see worlds/files.mjs
+ *   --seeds N         seeds of each of their planners (5)
  *
  * PLANARIUM_WORLDS names a folder with `movingai/*.map`, `ros/*.yaml`, `ompl/circle_*.txt` and `tpcap/*.csv`,
  * PLANARIUM_SCENARIOS one with scenarios; without them, the worlds are generated ones. A query counts if there is a
@@ -27,6 +29,7 @@ import { script } from "../scripts/run.mjs";
 import { integer, update } from "./peers/arguments.mjs";
 import { quantile } from "./peers/report.mjs";
 import { converted } from "./worlds/convert.mjs";
+import { measureFiles } from "./worlds/files.mjs";
 
 /** @typedef {{ file: string } | { generate: string, options: Record<string, unknown> }} World */
 /**
@@ -70,6 +73,8 @@ await script(async () => {
       binary: { type: "string" },
       rows: { type: "string" },
       write: { type: "boolean", default: false },
+      files: { type: "boolean", default: false },
+      seeds: { type: "string", default: "5" },
     },
   });
   const [queries, jobs, seconds] = [
@@ -81,7 +86,19 @@ await script(async () => {
   const folder = mkdtempSync(join(tmpdir(), "planarium-worlds-"));
   try {
     const groups = given.groups?.split(",");
-    const tasks = worlds(folder, queries).filter((task) => groups?.includes(task.group) ?? true);
+    if (given.files) {
+      const text = await measureFiles(serve(binary), {
+        folder,
+        seconds,
+        seeds: integer("seeds", given.seeds, 1),
+        planners: planned(given.only?.split(",")).filter(({ id }) => id !== "default"),
+        only: groups,
+      });
+      console.log(text);
+      if (given.write) update("files", `${text}\n`, "worlds.md");
+      return;
+    }
+    const tasks = (await worlds(folder, queries, serve(binary))).filter((task) => groups?.includes(task.group) ?? true);
     const planners = planned(given.only?.split(","));
     const settings = given.set.map((setting) => /** @type {[string, string]} */ (setting.split("=")));
     /** @type {Row[]} */
@@ -114,7 +131,7 @@ await script(async () => {
         while (next < pending.length) {
           const { task, planner, job } = pending[next];
           next += 1;
-          const reply = await side.ask(job);
+          const reply = /** @type {Reply} */ (await side.ask(job));
           rows.push({ task, planner, reply });
           if (given.rows !== undefined)
             appendFileSync(given.rows, `${JSON.stringify({ ...task, planner, ...reply })}\n`);
@@ -142,7 +159,8 @@ function value_of(text) {
 
 /** The program that plans. */
 function build() {
-  const done = spawnSync("cargo", ["build", "--release", "--bench", "worlds", "--message-format=json"], {
+  const crate = ["--package", "planarium-formats", "--bench", "worlds"];
+  const done = spawnSync("cargo", ["build", "--release", ...crate, "--message-format=json"], {
     encoding: "utf8",
     stdio: ["ignore", "pipe", "inherit"],
     maxBuffer: 1 << 28,
@@ -161,7 +179,7 @@ function serve(binary) {
   const child = spawn(binary, ["--serve"], { stdio: ["pipe", "pipe", "inherit"] });
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   return {
-    /** @param {object} job @returns {Promise<Reply>} */
+    /** @param {object} job @returns {Promise<any>} */
     async ask(job) {
       child.stdin.write(`${JSON.stringify(job)}\n`);
       const line = await lines.next();
@@ -187,18 +205,21 @@ function planned(only) {
   return listed.filter((planner) => only?.includes(planner.id) ?? true);
 }
 
-/** Every query of every world. @param {string} folder of files to write @param {number} queries @returns {Task[]} */
-function worlds(folder, queries) {
+/**
+ * Every query of every world.
+ * @param {string} folder of files to write
+ * @param {number} queries
+ * @param {ReturnType<typeof serve>} side
+ * @returns {Promise<Task[]>}
+ */
+async function worlds(folder, queries, side) {
   /** @type {Task[]} */
   const tasks = [];
   const { PLANARIUM_SCENARIOS: scenarios, PLANARIUM_WORLDS: maps } = process.env;
   const all = [
     ...(maps === undefined
       ? []
-      : converted(maps, queries).map(({ group, scenario }) => ({
-          group,
-          scenario: { format: "planarium-scenario-1", ...scenario },
-        }))),
+      : await converted(maps, queries, (files, options, times) => side.ask({ read: files, options, times }))),
     ...(scenarios === undefined
       ? []
       : readdirSync(scenarios)
@@ -211,7 +232,7 @@ function worlds(folder, queries) {
           .filter(({ scenario }) => scenario.format === "planarium-scenario-1")),
   ];
   for (const { group, scenario } of all) {
-    const file = join(folder, `${scenario.name}.json`);
+    const file = join(folder, `${tasks.length}.json`);
     writeFileSync(file, JSON.stringify(scenario));
     const is_exact = scenario.robot.type === "disc" && scenario.world.obstacles.length <= MOST_OBSTACLES;
     for (const query of scenario.queries) {
@@ -225,6 +246,7 @@ function worlds(folder, queries) {
       });
     }
   }
+  side.end();
   for (const [generate, robots] of Object.entries(generators)) {
     for (const robot of robots) {
       for (let seed = FIRST; seed < FIRST + queries; seed += 1) {

@@ -5,11 +5,13 @@
 //! docs/benchmarks.md, writes all points to docs/growth.json and draws docs/growth.svg; `-- plot` draws that again. `-- --quick`
 //! measures small cases only; `-- time` and `-- memory` one part. A run pinned to one core is quieter.
 
+#[path = "../counting.rs"]
+mod counting;
 mod memory;
 mod plot;
 mod time;
 
-use memory::Counting;
+use counting::Counting;
 use std::fs;
 use std::path::Path;
 use time::Curve;

@@ -11,12 +11,12 @@ export function integer(name, text, least) {
   return value;
 }
 
-/** Writes tables between two marks of docs/benchmarks.md. @param {string} mark @param {string} tables */
-export function update(mark, tables) {
-  const file = join(root, "docs", "benchmarks.md");
+/** Writes tables between two marks of a page in docs. @param {string} mark @param {string} tables @param {string} [page] */
+export function update(mark, tables, page = "benchmarks.md") {
+  const file = join(root, "docs", page);
   const text = readFileSync(file, "utf8");
   const [start, end] = [`<!-- ${mark} -->\n`, `<!-- /${mark} -->`];
   const [from, to] = [text.indexOf(start), text.indexOf(end)];
-  if (from < 0 || to < from) throw new Problem(`docs/benchmarks.md has no marks ${start.trim()} and ${end}.`);
+  if (from < 0 || to < from) throw new Problem(`docs/${page} has no marks ${start.trim()} and ${end}.`);
   writeFileSync(file, `${text.slice(0, from + start.length)}${tables}${text.slice(to)}`);
 }

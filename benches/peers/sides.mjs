@@ -1,6 +1,6 @@
 /** The sides of the comparison: each is a process that waits for jobs, so that they can run in turn. */
 import { spawn } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, statSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
@@ -88,9 +88,14 @@ export class Side {
    * @returns {Promise<Run[]>}
    */
   async ask(job) {
+    return (await this.reply(job)).runs;
+  }
+
+  /** All that its program replies. @param {string} job @returns {Promise<any>} */
+  async reply(job) {
     const reply = this.#reply();
     this.#process.stdin.write(`${job}\n`);
-    return (await reply).runs;
+    return reply;
   }
 
   stop() {
@@ -136,7 +141,28 @@ async function node(build) {
 /** OMPL as Debian packages it. @param {boolean} build */
 async function ompl(build) {
   const program = join(built, "ompl");
-  if (!build && existsSync(program)) return [program];
+  if (build || !existsSync(program)) await compileWithOmpl(join(peers, "ompl", "main.cpp"), program);
+  return [program];
+}
+
+/** OMPL on the cells of maps; null, with a message, if it cannot be built. @returns {Promise<Side | null>} */
+export async function startGridSide() {
+  const program = join(built, "ompl-grid");
+  try {
+    const source = join(root, "benches", "worlds", "ompl.cpp");
+    const isCurrent = existsSync(program) && statSync(program).mtimeMs > statSync(source).mtimeMs;
+    if (!isCurrent) await compileWithOmpl(source, program);
+    const side = new Side("ompl", [program]);
+    await side.greeted;
+    return side;
+  } catch (error) {
+    console.error(`\nbench: going on WITHOUT OMPL: ${error instanceof Error ? error.message : error}\n`);
+    return null;
+  }
+}
+
+/** @param {string} source @param {string} program */
+async function compileWithOmpl(source, program) {
   const include = ["/usr/include/ompl-1.5", "/usr/include/ompl"].find((folder) =>
     existsSync(join(folder, "ompl", "config.h")),
   );
@@ -145,19 +171,8 @@ async function ompl(build) {
   if (ask("g++", ["--version"]) === undefined) throw new Problem("g++ is missing. On Debian: sudo apt-get install g++");
   mkdirSync(built, { recursive: true });
   // Like the crate: optimised for the architecture, not for this machine.
-  await run("g++", [
-    "-O3",
-    "-DNDEBUG",
-    "-std=c++17",
-    `-I${include}`,
-    "-isystem",
-    "/usr/include/eigen3",
-    join(peers, "ompl", "main.cpp"),
-    "-o",
-    program,
-    "-lompl",
-  ]);
-  return [program];
+  const flags = ["-O3", "-DNDEBUG", "-std=c++17", `-I${include}`, "-isystem", "/usr/include/eigen3"];
+  await run("g++", [...flags, source, "-o", program, "-lompl"]);
 }
 
 /** OxMPL from Cargo's registry. @param {boolean} build */

@@ -85,6 +85,8 @@ export function flat({ world, robot, queries: [query] }) {
     items.push(["tolerance", query.goal_tolerance.translation ?? 0, query.goal_tolerance.rotation ?? 0]);
   if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
   for (const obstacle of world.obstacles) {
+    if (obstacle.type === "wall" || (obstacle.type === "polygon" && obstacle.holes))
+      throw new Error("the programs of peers read neither walls nor holes");
     items.push(
       obstacle.type === "disc"
         ? ["disc", ...obstacle.center, obstacle.radius]

@@ -32,6 +32,7 @@ const GROUPS = [
     [
       "docs/scenarios.md",
       "docs/worlds.md",
+      "docs/timing.md",
       "docs/fleet.md",
       "docs/prm-rl.md",
       "docs/javascript.md",

@@ -157,8 +157,14 @@ function rowsOf(path) {
       "/path",
     );
   const { configurations, states } = /** @type {Record<string, unknown>} */ (path);
-  if ((configurations === undefined) === (states === undefined))
-    throw new PlanariumError("missing-field", "path must have either configurations or states", "/path");
+  if (configurations === undefined && states === undefined)
+    throw new PlanariumError("missing-field", "path must have configurations or states", "/path");
+  if (configurations !== undefined && states !== undefined)
+    throw new PlanariumError(
+      "unknown-field",
+      "path must have either configurations or states, not both",
+      "/path/states",
+    );
   const isTimed = states !== undefined;
   const [name, given] = isTimed ? ["states", states] : ["configurations", configurations];
   if (!ArrayBuffer.isView(given) || CLASS?.call(given) !== "Float64Array")

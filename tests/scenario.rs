@@ -240,7 +240,7 @@ fn scenarios_are_made_of_values() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_frame_is_kept_and_leads_there_and_back() {
     let bare = Scenario::parse(DISC).unwrap();
-    assert!(bare.frame().is_same() && !bare.to_json_string().contains("frame"));
+    assert!(bare.frame().is_identity() && !bare.to_json_string().contains("frame"));
     let plane = MapPlane { origin: [13.4, 52.5], scale: [67_000.0, 111_000.0], degrees: true };
     for (offset, plane) in [([4.5e6, -1024.0], None), ([0.0, 3.0], Some(plane))] {
         let frame = MapFrame::new(offset, plane).unwrap();
@@ -259,4 +259,13 @@ fn a_frame_is_kept_and_leads_there_and_back() {
         assert_eq!(frame.to_metres([1.0, 2.0]), [1.0 + offset[0], 2.0 + offset[1]]);
         assert_eq!(scenario.in_frame(MapFrame::default()), bare);
     }
+    // Within its ranges nothing becomes infinite, and what an offset costs is known.
+    for end in [1e-12, 1e12] {
+        let plane = MapPlane { origin: [1e18, -1e18], scale: [end; 2], degrees: false };
+        let frame = MapFrame::new([-1e18, 1e18], Some(plane)).unwrap();
+        assert!(frame.to_units([1e6; 2]).iter().chain(&frame.from_units([1e18; 2])).all(|x| x.is_finite()));
+        assert_eq!(frame.resolution(), 128.0);
+    }
+    assert_eq!(MapFrame::new([-3.0, 1e12], None).unwrap().resolution(), 2.0_f64.powi(-13));
+    refuses(MapFrame::new([1.1e18, 0.0], None), "out-of-range", "/offset/0");
 }

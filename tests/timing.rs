@@ -469,6 +469,45 @@ fn documents_read_back_as_they_are_and_no_others_are_read() {
     refused("/pieces/0", straight, "unsupported", "/pieces/0/type");
 }
 
+/// The same limits with this speed and this acceleration everywhere.
+fn with_size(limits: &Limits, [speed, acceleration]: [f64; 2]) -> Limits {
+    match limits {
+        Limits::Coordinates(limits) => Limits::Coordinates(CoordinateLimits {
+            speed: vec![speed; limits.speed.len()],
+            acceleration: vec![acceleration; limits.speed.len()],
+        }),
+        Limits::Plane(limits) => Limits::Plane(PlaneLimits {
+            speed,
+            acceleration,
+            turn_rate: limits.turn_rate.map(|_| speed),
+            turn_acceleration: limits.turn_rate.map(|_| acceleration),
+        }),
+        _ => Limits::Car(CarLimits { speed, acceleration, lateral_acceleration: Some(acceleration) }),
+    }
+}
+
+/// From the least limits to the greatest ones, and where a speed is reached at once.
+#[wasm_bindgen_test(unsupported = test)]
+fn limits_of_any_size_are_kept() {
+    let sizes = [1e-6, 1.0, 1e7, 1e9];
+    for (kind, (speed, acceleration)) in (0..7).flat_map(|kind| {
+        let each = sizes.iter().flat_map(move |speed| sizes.iter().map(move |acceleration| (*speed, *acceleration)));
+        each.map(move |size| (kind, size))
+    }) {
+        for seed in 0..cases(8) as u64 {
+            let (scenario, result, limits) = drawn(&mut Random::new(seed, Stream::Samples), kind, 1e-3);
+            let limits = with_size(&limits, [speed, acceleration]);
+            let what = format!("kind {kind}, seed {seed}, speed {speed}, acceleration {acceleration}");
+            let trajectory = timing::time(&scenario, &result, &limits).unwrap_or_else(|e| panic!("{what}: {e}"));
+            assert_eq!(Trajectory::parse(&trajectory.to_json(), &scenario).as_ref(), Ok(&trajectory), "{what}");
+            let verdict = verify(&scenario, &result, &trajectory).expect("they belong together");
+            assert!(verdict.is_valid(), "{what}: {verdict:?}");
+            let times: Vec<f64> = trajectory.rows(0.1).expect("rows").iter().map(|state| state.time).collect();
+            assert!(times.windows(2).all(|pair| pair[1] - pair[0] > 1e-12 * pair[1]), "{what}: {times:?}");
+        }
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn limits_fit_the_robot() {
     let (car, driven, along) = parked();

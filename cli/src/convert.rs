@@ -10,7 +10,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use planarium::Error;
 use planarium::error::Code;
 use planarium::path::{self, ResultDocument};
-use planarium::scenario::{Robot, Scenario};
+use planarium::scenario::{MapFrame, MapPlane, Robot, Scenario};
 use planarium::timing::{self, MAX_ROWS, State, Trajectory};
 use planarium_formats::{PathForm, PathRows, WriteOptions, write_path};
 
@@ -76,6 +76,9 @@ pub struct Arguments {
     #[command(flatten)]
     world: WorldOptions,
 }
+
+/// The least gap between coordinates of which the message speaks, in metres.
+const VISIBLE: f64 = 1e-6;
 
 /// The words for forms.
 fn form() -> impl TypedValueParser<Value = PathForm> {
@@ -144,14 +147,23 @@ fn said(arguments: &Arguments, scenario: &Scenario, result: &ResultDocument, row
     };
     let frame = scenario.frame();
     let [x, y] = frame.offset();
-    let moved = match to {
-        PathForm::Svg => String::new(),
+    let moved = match (to, frame.plane()) {
+        (PathForm::Svg, _) => String::new(),
         _ if matches!(scenario.robot(), Robot::Arm(_)) => String::new(),
-        PathForm::GeoJson if frame.has_degrees() => "; in longitude and latitude of the map".to_owned(),
-        _ if [x, y] != [0.0; 2] => format!("; in the coordinates of the map: [{x}, {y}] was added"),
+        (PathForm::GeoJson, Some(plane)) if plane.degrees => "; in longitude and latitude of the map".to_owned(),
+        (PathForm::GeoJson, Some(MapPlane { scale: [x, y], .. })) => {
+            format!("; in the coordinates of the map, whose units are [{x}, {y}] m")
+        }
+        _ if [x, y] != [0.0; 2] => format!("; in the coordinates of the map: [{x}, {y}] was added{}", coarse(frame)),
         _ => String::new(),
     };
     format!("{}: {} rows, {sampling}{moved}", to.as_str(), rows.configurations.len())
+}
+
+/// What so large an offset costs, if that can be seen.
+fn coarse(frame: &MapFrame) -> String {
+    let resolution = frame.resolution();
+    if resolution > VISIBLE { format!(", where numbers are {resolution} m apart") } else { String::new() }
 }
 
 /// What an earlier run has written.

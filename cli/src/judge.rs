@@ -70,7 +70,7 @@ fn document(judgement: &Judgement, frame: &MapFrame, report: &PathReport) -> Val
         ("clearance", judgement.clearance.as_ref().map(|clearance| clearance.point)),
     ];
     for (part, point) in points.into_iter().filter_map(|(part, point)| Some((part, point?))) {
-        if !frame.is_same() {
+        if !frame.is_identity() {
             document[part]["map_point"] = json!(frame.to_units([point.x, point.y]));
         }
     }

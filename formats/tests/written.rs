@@ -104,7 +104,7 @@ fn every_form_is_read_back_in_the_coordinates_of_the_map() {
                     }
                     let read = read.unwrap_or_else(|error| panic!("{form:?} {}: {error}", robot.kind()));
                     assert_eq!(read.waypoints.len(), 3);
-                    let most: f64 = if frame.is_same() { 1e-15 } else { 2e-9 };
+                    let most: f64 = if frame.is_identity() { 1e-15 } else { 2e-9 };
                     for (found, wanted) in read.waypoints.iter().zip(&rows.configurations) {
                         for (k, (a, b)) in found.iter().zip(wanted).enumerate() {
                             let off = if k == 2 { planarium::geometry::wrap(a - b) } else { a - b };

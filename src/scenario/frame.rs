@@ -30,7 +30,7 @@ pub struct MapFrame {
 pub struct MapPlane {
     /// What is subtracted from coordinates of the map.
     pub origin: [f64; 2],
-    /// Metres per unit of the map, greater than 0.
+    /// Metres per unit of the map.
     pub scale: [f64; 2],
     /// Whether the coordinates are longitude and latitude, in degrees.
     pub degrees: bool,
@@ -40,8 +40,8 @@ impl MapFrame {
     /// The frame of a map from which `offset` was subtracted, in metres, after the way through the plane if there is one.
     ///
     /// # Errors
-    /// `not-finite`, `out-of-range` (pointers `/offset/0`, `/plane/scale/1` and the like): offset and origin lie within -1e300
-    /// and 1e300, scales are greater than 0 and at most 1e300.
+    /// `not-finite`, `out-of-range` (pointers `/offset/0`, `/plane/scale/1` and the like): offset and origin lie within -1e18
+    /// and 1e18, scales within 1e-12 and 1e12.
     pub fn new(offset: [f64; 2], plane: Option<MapPlane>) -> Result<Self, Error> {
         json::read::<document::MapFrame>(&json::finite_tree(&Self { offset, plane })?).map(Self::of)
     }
@@ -61,9 +61,14 @@ impl MapFrame {
         self.plane.is_some_and(|plane| plane.degrees)
     }
 
-    /// Whether the scenario has the coordinates of the map.
-    pub fn is_same(&self) -> bool {
+    /// Whether the scenario has the coordinates of the map: places are the same in both.
+    pub fn is_identity(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// The largest gap between neighbouring numbers at the offset, in metres: coordinates of the map are not told apart better.
+    pub fn resolution(&self) -> f64 {
+        self.offset.iter().fold(0.0, |most: f64, x| most.max(x.abs().next_up() - x.abs()))
     }
 
     /// A place in metres, as the map has them, in the scenario.

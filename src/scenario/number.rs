@@ -54,8 +54,8 @@ macro_rules! number {
 number!(Coordinate, "a coordinate", -1e6, 1e6, false);
 number!(AngleOrCoordinate, "an angle or a coordinate", -1e6, 1e6, false);
 number!(NonNegative, "a radius or a tolerance", 0.0, 1e6, false);
-number!(MapCoordinate, "a coordinate of a map", -1e300, 1e300, false);
-number!(MapScale, "the scale of a map", 0.0, 1e300, true);
+number!(MapCoordinate, "a coordinate of a map", -1e18, 1e18, false);
+number!(MapScale, "the scale of a map", 1e-12, 1e12, false);
 number!(Margin, "a margin", 0.0, 1e6, false);
 number!(Width, "a width", 0.0, 1e6, false);
 number!(Positive, "a radius, a length or a weight", 0.0, 1e6, true);

@@ -19,7 +19,7 @@ pub(crate) struct Parts {
     pub(crate) name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) title: Option<String>,
-    #[serde(skip_serializing_if = "MapFrame::is_same")]
+    #[serde(skip_serializing_if = "MapFrame::is_identity")]
     pub(crate) frame: MapFrame,
     pub(crate) world: World,
     pub(crate) robot: Robot,

@@ -14,6 +14,9 @@ pub const MAX_ROWS: usize = crate::path::MAX_WAYPOINTS;
 /// The deviation where none is given, in metres and radians.
 pub const DEVIATION: f64 = 1e-3;
 
+/// Two times that differ by no more than this share are one.
+const TOGETHER: f64 = 1e-12;
+
 /// The least and the greatest deviation, in metres and radians.
 const DEVIATIONS: [f64; 2] = [1e-9, 1e6];
 
@@ -76,9 +79,10 @@ impl Trajectory {
     }
 }
 
-/// Adds a state, in place of one at the same time: two knots can be nearer than times can tell apart. The first stays.
+/// Adds a state, in place of one at the same time, to the digits of tables: two knots can be nearer than these can tell apart.
+/// The first stays.
 fn add(states: &mut Vec<State>, state: State) {
-    if states.last().is_some_and(|last| last.time >= state.time) {
+    if states.last().is_some_and(|last| state.time - last.time <= TOGETHER * state.time) {
         if states.len() == 1 {
             return;
         }
@@ -104,6 +108,9 @@ fn parts(curve: &Curve, width: f64, deviation: f64, before: usize) -> Result<usi
     if before as f64 + wanted < MAX_ROWS as f64 {
         return Ok(wanted as usize);
     }
-    let sentence = format!("chords within {deviation} m of the path are more than {MAX_ROWS} rows");
-    Err(Error::new(Code::OutOfRange, "/deviation", sentence))
+    if wanted > 1.0 {
+        let sentence = format!("chords within {deviation} m of the path are more than {MAX_ROWS} rows");
+        return Err(Error::new(Code::OutOfRange, "/deviation", sentence));
+    }
+    Err(Error::new(Code::InvalidResult, "/path", format!("the path has more than {MAX_ROWS} rows")))
 }

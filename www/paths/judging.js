@@ -11,6 +11,7 @@ import { faultOf } from "../worlds/fault.js";
 /**
  * A path that was read, as a page draws it.
  * @typedef {object} DrawnPath
+ * @property {number} id            its number in the worker
  * @property {number} count         waypoints
  * @property {Float64Array} rows    the configurations of those that are drawn
  * @property {Uint32Array} indices  their numbers, from 0
@@ -22,11 +23,12 @@ import { faultOf } from "../worlds/fault.js";
 /** About how many waypoints of a long path are drawn. */
 const DRAWN = 5000;
 
-/** The waypoints of the path. @type {Float64Array} */
-let waypoints = new Float64Array();
+/** The waypoints of the paths that were read, by their numbers. @type {Map<number, Float64Array>} */
+const paths = new Map();
+let readCount = 0;
 
 /**
- * Reads a path, in place of the one before.
+ * Reads a path. Those before stay until one of them is kept.
  * @param {Content} file
  * @param {ScenarioDocument} scenario   the path is in the coordinates of its map, if it has one
  * @param {Angles | undefined} angles   what its angles are where the file does not say it
@@ -42,8 +44,9 @@ export async function read(file, scenario, angles) {
 
 /** @param {PathRead} path @returns {DrawnPath} */
 function drawn(path) {
-  const { dimension } = path;
-  waypoints = path.waypoints;
+  const { dimension, waypoints } = path;
+  const id = ++readCount;
+  paths.set(id, waypoints);
   const count = waypoints.length / dimension;
   const each = Math.ceil(count / DRAWN);
   const indices = Uint32Array.from({ length: Math.ceil((count - 1) / each) + 1 }, (_, i) =>
@@ -53,8 +56,18 @@ function drawn(path) {
   indices.forEach((index, i) => {
     rows.set(waypoints.subarray(index * dimension, (index + 1) * dimension), i * dimension);
   });
-  return { count, rows, indices, report: path.report };
+  return { id, count, rows, indices, report: path.report };
 }
 
-/** Judges the path. @param {Scenario} scenario @param {boolean} arcs @returns {Judgement} */
-export const judge = (scenario, arcs) => scenario.judge(waypoints, { arcs });
+/** Forgets all paths but one. @param {number | null} kept   null: all */
+export function keep(kept) {
+  for (const id of paths.keys()) if (id !== kept) paths.delete(id);
+}
+
+/** Judges a path. @param {Scenario} scenario @param {number} id @param {boolean} arcs @returns {Judgement} */
+export function judge(scenario, id, arcs) {
+  const waypoints = paths.get(id);
+  if (!waypoints)
+    throw Object.assign(new Error("The path is no longer there; open its file again."), { code: "no-path" });
+  return scenario.judge(waypoints, { arcs });
+}

@@ -33,7 +33,7 @@ export function workerWith(document) {
   const worker = pathWorker();
   if (held !== document) {
     held = document;
-    // What follows a scene that cannot be held is refused, as there is none.
+    // What follows a scene that is refused is refused as it was.
     worker.hold(document).catch(forgetScene);
   }
   return worker;

@@ -54,8 +54,15 @@ export function timed({ scenario, document }, results, limits) {
   });
 }
 
+/** A trajectory that was made last. @param {number} index */
+function made(index) {
+  const one = held[index];
+  if (!one) throw Object.assign(new Error("The path is no longer timed."), { code: "no-trajectory" });
+  return one;
+}
+
 /** The document of a trajectory. @param {number} index */
-export const documentOf = (index) => held[index].trajectory.toJSON();
+export const documentOf = (index) => made(index).trajectory.toJSON();
 
 /**
  * A trajectory in a form that other programs read. Its step is the least one, or of a long trajectory the least power of
@@ -65,7 +72,7 @@ export const documentOf = (index) => held[index].trajectory.toJSON();
  * @param {string} [query]
  */
 export function written(index, form, query) {
-  const { trajectory, document: scenario } = held[index];
+  const { trajectory, document: scenario } = made(index);
   let step = LEAST_STEP;
   while (trajectory.duration / step >= MOST_STEPS) step *= 10;
   return writePath({ states: trajectory.sample(step) }, { scenario, form, ...(query !== undefined && { query }) });

@@ -1,7 +1,7 @@
 /** The worker that times paths and judges those of other programs: it has all of the core, and the module of formats. */
 import { Scenario } from "planarium/full";
 import { serve } from "../app/worker-server.js";
-import { judge, read } from "./judging.js";
+import { judge, keep, read } from "./judging.js";
 import { documentOf, dropTrajectories, forgetTrajectories, timed, written } from "./timing.js";
 
 /** @import { TimingLimits } from "planarium/full" */
@@ -10,9 +10,11 @@ import { documentOf, dropTrajectories, forgetTrajectories, timed, written } from
 
 /** What the paths are paths of. @type {{ scenario: Scenario, document: ScenarioDocument } | null} */
 let held = null;
+/** Why the scene that was given last is none. @type {unknown} */
+let refusal = null;
 
 function scene() {
-  if (!held) throw Object.assign(new Error("No scene is open."), { code: "no-scene" });
+  if (!held) throw refusal ?? Object.assign(new Error("No scene is open."), { code: "no-scene" });
   return held;
 }
 
@@ -21,13 +23,20 @@ const commands = {
   hold(document) {
     held?.scenario.free();
     held = null;
-    held = { scenario: Scenario.parse(document), document };
+    refusal = null;
+    try {
+      held = { scenario: Scenario.parse(document), document };
+    } catch (error) {
+      refusal = error;
+      throw error;
+    }
   },
   /** The trajectories of results. @param {ResultDocument[]} results @param {TimingLimits} limits */
   time: (results, limits) => timed(scene(), results, limits),
   read,
-  /** Judges the path that was read last. @param {boolean} arcs   are motions along arcs? */
-  judge: (arcs) => judge(scene().scenario, arcs),
+  keep,
+  /** Judges a path that was read. @param {number} id @param {boolean} arcs   are motions along arcs? */
+  judge: (id, arcs) => judge(scene().scenario, id, arcs),
   /** Frees the trajectories. */
   drop: dropTrajectories,
   /** @param {number} index   of a trajectory that was made last */

@@ -75,8 +75,9 @@ class PathJudge {
       const { document } = /** @type {Shown} */ (this.page.session.shown);
       return pathWorker().read(file, document, angles, signal);
     });
-    this.judging = latest((signal, /** @type {ScenarioDocument} */ document, /** @type {boolean} */ isArcs) =>
-      workerWith(document).judge(isArcs, signal),
+    this.judging = latest(
+      (signal, /** @type {ScenarioDocument} */ document, /** @type {number} */ id, /** @type {boolean} */ isArcs) =>
+        workerWith(document).judge(id, isArcs, signal),
     );
     // An edited scene keeps what is shown; another one has nothing yet.
     page.onOpen(() => {
@@ -89,17 +90,20 @@ class PathJudge {
   async take(file) {
     const { shown } = this.page.session;
     if (!shown) return;
-    const { robot } = shown.document;
     this.page.notice.hide();
     const path = await this.read(file);
-    // The scene was replaced meanwhile, or nothing was chosen.
+    if (!path) return;
     const now = this.page.session.shown;
-    if (!path || now?.document.robot !== robot) return;
+    if (!now || kindOf(now) !== kindOf(shown)) {
+      const sentence = `${file.name} was read for another scene; open it again.`;
+      throw Object.assign(new Error(sentence), { code: "scene-replaced" });
+    }
     this.remove();
+    this.keep(path.id);
     Object.assign(this, { path, name: file.name, isArcs: false });
     now.judged = UNJUDGED;
     this.arcs.checked = false;
-    this.arcsRow.hidden = !isPlaced(robot.type);
+    this.arcsRow.hidden = !isPlaced(now.scenario.robot);
     this.update();
   }
 
@@ -141,7 +145,7 @@ class PathJudge {
     line.hidden = false;
     write(text, `${this.name} is being judged.`);
     try {
-      const judgement = await this.judging(shown.document, isArcs);
+      const judgement = await this.judging(shown.document, path.id, isArcs);
       const { scenario, document } = shown;
       if (page.session.shown?.document !== document) return;
       const trace = traceOf(path, scenario.dimension, judgement.contact, isArcs);
@@ -162,10 +166,16 @@ class PathJudge {
     }
   }
 
+  /** Of the paths that the worker has read, it keeps one. @param {number | null} id */
+  keep(id) {
+    void this.page.app.track(pathWorker().keep(id));
+  }
+
   /** Takes the path from the stage. */
   remove() {
     this.reading.cancel();
     this.judging.cancel();
+    if (this.path) this.keep(null);
     this.path = null;
     this.asked = [];
     this.line.hidden = true;
@@ -176,8 +186,8 @@ class PathJudge {
   }
 }
 
-/** What a path of a robot is made of. @param {Shown} shown */
-const kindOf = ({ scenario: { robot, dimension } }) => `${robot} ${dimension}`;
+/** What a path of a scene is made of: the robot, and the coordinates of the map. @param {Shown} shown */
+const kindOf = ({ scenario: { robot, dimension }, document: { frame } }) => JSON.stringify([robot, dimension, frame]);
 
 /** @param {string} text */
 const lowered = (text) => text[0].toLowerCase() + text.slice(1);

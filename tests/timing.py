@@ -1,5 +1,6 @@
-"""Writes tests/timing.json: paths with the durations that toppra and ruckig find for them. pip install toppra ruckig"""
-import json, math
+"""Writes tests/timing.json: paths with the durations that toppra and ruckig find for them; with a number, that many
+times as many paths. pip install toppra ruckig"""
+import json, math, sys
 from importlib.metadata import version
 import numpy as np, toppra, toppra.algorithm, toppra.constraint
 from ruckig import InputParameter, Result, Ruckig, Synchronization, Trajectory
@@ -63,7 +64,8 @@ def limits(n): return [np.round(np.exp(rng.uniform(-1.5, 1.5, n)), 3) for _ in r
 def listed(x): return [float(v) for v in x]
 
 out = {"toppra": version("toppra"), "ruckig": version("ruckig"), "blended": [], "straight": []}
-for n in [2, 2, 2, 3, 3, 3, 4, 5, 6, 6, 8, 8]:
+times = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+for n in [2, 2, 2, 3, 3, 3, 4, 5, 6, 6, 8, 8] * times:
     path = np.round(rng.uniform(-1.4, 1.4, (int(rng.integers(3, 8)), n)), 3)
     lengths = np.linalg.norm(np.diff(path, axis=0), axis=1)
     most = rng.uniform(0.05, 0.5)
@@ -71,7 +73,7 @@ for n in [2, 2, 2, 3, 3, 3, 4, 5, 6, 6, 8, 8]:
     speed, acceleration = limits(n)
     out["blended"].append({"path": [listed(q) for q in path], "blends": [listed(s) for s in shares], "speed": listed(speed),
                            "acceleration": listed(acceleration), "duration": timed(path, shares, speed, acceleration)})
-for n in [1, 2, 3, 3, 4, 6, 7, 8]:
+for n in [1, 2, 3, 3, 4, 6, 7, 8] * times:
     duration = None
     while duration is None:
         a, b = np.round(rng.uniform(-1.5, 1.5, (2, n)), 3)

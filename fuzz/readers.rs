@@ -12,6 +12,7 @@ use planarium::problem::{Status, Stepped};
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric};
 use planarium::run::{self, CustomProblem, Free, LazyPrmOptions, Options, PrmOptions, Run};
 use planarium::scenario::Scenario;
+use planarium::timing::Trajectory;
 use planarium::{Error, PlanningWorld};
 use serde_json::Value as Json;
 use std::sync::{Arc, LazyLock};
@@ -138,9 +139,26 @@ pub fn navigation(bytes: &[u8]) {
     assert_eq!(run.fingerprint(), sliced.fingerprint(), "slices change nothing");
 }
 
-/// A result or a certificate: what it claims is judged, in every world.
+/// A trajectory of one of the worlds: it reads back as the same, and the robot is somewhere at every time.
+fn trajectory(text: &str) {
+    for world in WORLDS.iter() {
+        let scenario = world.scenario();
+        let Some(trajectory) = read(text, |text| Trajectory::parse(text, scenario)) else { continue };
+        assert_eq!(Trajectory::parse(&trajectory.to_json(), scenario).as_ref(), Ok(&trajectory));
+        let duration = trajectory.duration();
+        let states = trajectory.sampled(duration.max(1e-300) / 7.0).expect("few states");
+        for state in states.chain(trajectory.rows(1e3).unwrap_or_default()) {
+            assert!((0.0..=duration).contains(&state.time));
+            let numbers = [state.configuration, state.velocity, state.acceleration].concat();
+            assert!(numbers.iter().all(|x| x.is_finite()), "{numbers:?} at {}", state.time);
+        }
+    }
+}
+
+/// A result, a certificate or a trajectory: what it claims is judged, in every world.
 pub fn judged(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
+    trajectory(text);
     if let Some(result) = read(text, ResultDocument::parse) {
         assert_eq!(ResultDocument::parse(&result.to_json()).as_ref(), Ok(&result));
         for world in WORLDS.iter() {

@@ -490,10 +490,8 @@ fn with_size(limits: &Limits, [speed, acceleration]: [f64; 2]) -> Limits {
 #[wasm_bindgen_test(unsupported = test)]
 fn limits_of_any_size_are_kept() {
     let sizes = [1e-6, 1.0, 1e7, 1e9];
-    for (kind, (speed, acceleration)) in (0..7).flat_map(|kind| {
-        let each = sizes.iter().flat_map(move |speed| sizes.iter().map(move |acceleration| (*speed, *acceleration)));
-        each.map(move |size| (kind, size))
-    }) {
+    let pairs = sizes.iter().flat_map(|&speed| sizes.map(|acceleration| [speed, acceleration]));
+    for ([speed, acceleration], kind) in pairs.flat_map(|pair| (0..7).map(move |kind| (pair, kind))) {
         for seed in 0..cases(8) as u64 {
             let (scenario, result, limits) = drawn(&mut Random::new(seed, Stream::Samples), kind, 1e-3);
             let limits = with_size(&limits, [speed, acceleration]);

@@ -118,9 +118,12 @@ impl Interval {
             x = below;
         }
         let (mut good, mut bad) = (0.0, x);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (good + bad);
-            if self.width(middle, next)[0] >= 0.0 { good = middle } else { bad = middle }
+        // Again where speeds allow so much more than accelerations do that no x is found within so many halvings.
+        while good == 0.0 && bad >= f64::MIN_POSITIVE {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (good + bad);
+                if self.width(middle, next)[0] >= 0.0 { good = middle } else { bad = middle }
+            }
         }
         good
     }

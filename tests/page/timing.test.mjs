@@ -174,6 +174,13 @@ test("a path that is timed", (t) =>
           await page.waitForSelector("#play[data-playing=false]");
           await page.click("#timing-pace-2");
           await page.waitForSelector("#timing-pace-2[aria-pressed=true]");
+          // A field takes more than its slider reaches.
+          await fill(page, "#limit-speed-number", "0.004");
+          await page.waitForFunction(
+            (old) => Number(document.getElementById("timing")?.dataset.duration) > 100 * old,
+            before,
+          );
+          assert.equal(await page.inputValue("#limit-speed-number"), "0.004");
           await fill(page, "#limit-speed-number", "0.5");
           await page.waitForFunction(
             (old) => Number(document.getElementById("timing")?.dataset.duration) > old,
@@ -307,6 +314,8 @@ test("files are told apart: paths, what may be one, and others", () => {
     '{"poses": [{"position": {"x": 1}}]}',
     '{"path": [[0, 0]]}',
     "header:\n  stamp: 0\nposes: []\n",
+    "# A path of Planarium: waypoints\n- frame_id: map\n  position: {x: 0, y: 0}\n",
+    '{"columns": {"x": {"unit": "m", "values": [0, 1]}}}',
   ])
     assert.equal(kind(text), "path", text);
   for (const text of [
@@ -330,6 +339,7 @@ test("files are told apart: paths, what may be one, and others", () => {
 
 test("the line of a path ends at its contact and goes on after it, and is an arc where it moves along one", () => {
   const path = {
+    id: 1,
     count: 3,
     rows: Float64Array.of(0, 0, 2, 0, 2, 2),
     indices: Uint32Array.of(0, 1, 2),
@@ -402,6 +412,14 @@ test("a path of another program", (t) =>
             ),
           );
           assert.equal(await pixelsOf(page, "workspace", "top", "collision"), 0);
+
+          // What the page exports it reads.
+          const states = Float64Array.of(0, 1, 1, 0, 0, 0, 0, 4, 1, 3, 0, 0, 0, 0);
+          for (const form of /** @type {const} */ (["csv", "json", "npy", "nav-path", "nav-waypoints"])) {
+            const bytes = await writePath({ states }, { scenario: /** @type {any} */ (POST), form });
+            await pickFile(page, `own-${form}`, Buffer.from(bytes));
+            await textMatches(page, "#judged", new RegExp(`^own-${form}: free, with 2 waypoints`));
+          }
 
           // It is judged again in an edited scene.
           await pickFile(page, "path.csv", "x,y,speed\n1,1,0\n1,2,1\n3,2,0\n");

@@ -18,6 +18,8 @@ import { writePath } from "planarium/import";
 const ROWS = 4000;
 /** The least step of a file, in seconds. */
 const LEAST_STEP = 0.01;
+/** The most that lines between waypoints are from the path, in metres. */
+const DEVIATION = 0.01;
 /** The steps of a file are fewer. */
 const MOST_STEPS = 100_000;
 
@@ -66,7 +68,7 @@ export const documentOf = (index) => made(index).trajectory.toJSON();
 
 /**
  * A trajectory in a form that other programs read. Its step is the least one, or of a long trajectory the least power of
- * ten of these.
+ * ten of these; waypoints are the corners, and what blends and arcs take.
  * @param {number} index
  * @param {PathForm} form
  * @param {string} [query]
@@ -75,5 +77,6 @@ export function written(index, form, query) {
   const { trajectory, document: scenario } = made(index);
   let step = LEAST_STEP;
   while (trajectory.duration / step >= MOST_STEPS) step *= 10;
-  return writePath({ states: trajectory.sample(step) }, { scenario, form, ...(query !== undefined && { query }) });
+  const states = form === "nav-waypoints" ? trajectory.rows({ deviation: DEVIATION }) : trajectory.sample(step);
+  return writePath({ states }, { scenario, form, ...(query !== undefined && { query }) });
 }

@@ -11,6 +11,7 @@ import { reasonAgainst, showReason } from "./field.js";
  * @property {string} [unit]
  * @property {number} min
  * @property {number} max
+ * @property {readonly [number, number]} [allowed]   what the field takes, if that is more than the slider reaches
  * @property {number} [step]
  * @property {"integer" | "number"} [kind]
  * @property {boolean} [isLog]   its steps are equal ratios, and a change counts when it is released
@@ -66,9 +67,15 @@ export class Slider {
     return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
   }
 
+  /** What the field takes. */
+  get allowed() {
+    return this.info.allowed ?? [this.info.min, this.info.max];
+  }
+
   /** Reports a valid value. @param {number} value */
   give(value) {
-    const reason = reasonAgainst({ ...this.info, choices: null }, value);
+    const [min, max] = this.allowed;
+    const reason = reasonAgainst({ ...this.info, min, max, choices: null }, value);
     this.refuse(reason);
     if (reason) return;
     this.show(value);
@@ -82,7 +89,11 @@ export class Slider {
 
   /** Writes a value into the field, unless it has the focus. @param {number} value */
   write(value) {
-    const text = value.toFixed(this.info.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
+    // A field that takes small numbers shows their digits.
+    const isSmall = value !== 0 && Math.abs(value) < 0.1 && this.info.allowed !== undefined;
+    const text = isSmall
+      ? String(value)
+      : value.toFixed(this.info.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
     if (document.activeElement !== this.number && this.number.value !== text) this.number.value = text;
     if (this.info.isLog) this.range.setAttribute("aria-valuetext", grouped(value));
   }
@@ -109,7 +120,8 @@ export class Slider {
         ? { min: "0", max: String(LOG_STEPS), step: "1" }
         : { min: String(min), max: String(max), step: String(step) },
     );
-    Object.assign(number, { min: String(min), max: String(max), step: info.kind === "integer" ? "1" : "any" });
+    const [least, most] = this.allowed;
+    Object.assign(number, { min: String(least), max: String(most), step: info.kind === "integer" ? "1" : "any" });
     this.show(this.current);
   }
 }

@@ -33,9 +33,21 @@ let line;
  * @param {{ dimension: number }} facts
  * @param {Uint8Array} bytes
  */
-export function holdsCells({ dimension }, bytes) {
+export function holdsCells(facts, bytes) {
+  const { dimension } = facts;
   const shape = numericShape(bytes);
-  return shape?.length === 2 && shape[0] > 0 && shape[1] > 2 && shape[1] !== dimension;
+  return shape?.length === 2 && shape[0] > 0 && shape[1] > 2 && shape[1] !== dimension && !holdsTimes(facts, bytes);
+}
+
+/**
+ * Whether an array is a path with times: a column more than configurations have numbers, and other numbers than cells.
+ * @param {{ dimension: number }} facts
+ * @param {Uint8Array} bytes
+ */
+export function holdsTimes({ dimension }, bytes) {
+  if (numericShape(bytes)?.[1] !== dimension + 1) return false;
+  const { shape, data } = readNpy(bytes);
+  return shape.length === 2 && data.some((number) => ![-1, 0, 1].includes(number));
 }
 
 /**

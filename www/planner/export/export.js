@@ -132,16 +132,17 @@ export function showExport(page) {
     offer(
       "timed",
       "Timed path",
-      "File",
+      "Save",
       "For other programs, in the coordinates of the map.",
       untimed,
       async () => {
         const { id, extension, type } = FORMS.find(({ id }) => id === form.value) ?? FORMS[0];
         const bytes = await page.timing?.timing.write(Number(lane.value), id);
+        const what = id.startsWith("nav") ? id : "timed";
         if (bytes)
           save(
             new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type }),
-            `${nameOfLane()}-timed.${extension}`,
+            `${nameOfLane()}-${what}.${extension}`,
           );
       },
       form,

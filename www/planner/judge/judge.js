@@ -98,8 +98,7 @@ class PathJudge {
       const sentence = `${file.name} was read for another scene; open it again.`;
       throw Object.assign(new Error(sentence), { code: "scene-replaced" });
     }
-    this.remove();
-    this.keep(path.id);
+    this.remove(path.id);
     Object.assign(this, { path, name: file.name, isArcs: false });
     now.judged = UNJUDGED;
     this.arcs.checked = false;
@@ -171,11 +170,11 @@ class PathJudge {
     void this.page.app.track(pathWorker().keep(id));
   }
 
-  /** Takes the path from the stage. */
-  remove() {
+  /** Takes the path from the stage. @param {number | null} kept   the one that is shown in its place */
+  remove(kept = null) {
     this.reading.cancel();
     this.judging.cancel();
-    if (this.path) this.keep(null);
+    if (this.path || kept !== null) this.keep(kept);
     this.path = null;
     this.asked = [];
     this.line.hidden = true;

@@ -19,14 +19,14 @@ export function pathKind(dimension, { name, bytes }) {
     return /"(LineString|Point)"/.test(head) && !/Polygon"/.test(head) ? "maybe" : "other";
   if (/^\s*\[\s*\[/.test(head)) return "path";
   if (/^\s*[{[]/.test(head)) return isPoses(head) ? "path" : "other";
-  if (/^(- )*(header|poses|pose|position):/m.test(head)) return "path";
+  if (/^(- )*(header|frame_id|poses|pose|position):/m.test(head)) return "path";
   return tableKind(dimension, head);
 }
 
 /** Whether JSON has poses, or a path of no scenario. @param {string} head */
 function isPoses(head) {
   if (/"format"\s*:/.test(head)) return false;
-  return /"(poses|pose|position)"\s*:/.test(head) || (/"path"\s*:/.test(head) && !/"scenario"\s*:/.test(head));
+  return /"(poses|pose|position|columns)"\s*:/.test(head) || (/"path"\s*:/.test(head) && !/"scenario"\s*:/.test(head));
 }
 
 /**

@@ -41,6 +41,8 @@ import { Timing } from "./timing.js";
 
 /** How many times a limit's slider goes below what the page chooses, and above it. */
 const REACH = 20;
+/** What a limit may be. */
+const ALLOWED = /** @type {const} */ ([1e-6, 1e9]);
 /** Height of a chart, CSS pixels. */
 const HEIGHT = 150;
 /** @type {[number, string][]} */
@@ -167,13 +169,23 @@ export class TimingPanel {
     const give = (/** @type {number | undefined} */ value) => this.change({ [name]: value });
     if (usual === null) {
       const info = {
-        ...{ name, title, unit, kind: /** @type {const} */ ("number"), min: 1e-6, max: 1e9, choices: null, robots: [] },
+        ...{
+          name,
+          title,
+          unit,
+          kind: /** @type {const} */ ("number"),
+          min: ALLOWED[0],
+          max: ALLOWED[1],
+          choices: null,
+          robots: [],
+        },
         ...{ meaning: "", default: null, default_meaning: "none: the car may turn at any speed" },
       };
       const field = new Field(info, null, () => give(/** @type {number | undefined} */ (field.value)), "limit");
       return field;
     }
-    const info = { name: `limit-${name}`, title, unit, min: usual / REACH, max: usual * REACH, isLog: true };
+    const reach = { min: usual / REACH, max: usual * REACH, allowed: ALLOWED, isLog: true };
+    const info = { name: `limit-${name}`, title, unit, ...reach };
     const slider = new Slider(info, usual, give);
     // The charts follow while it is dragged.
     slider.range.addEventListener("input", () => slider.give(slider.rangeValue));

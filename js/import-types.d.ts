@@ -62,11 +62,15 @@ export interface PathRead {
 }
 
 /** A path to write: rows of numbers one after the other, in metres and radians, in the coordinates of the scenario. */
-export type PathToWrite =
+export type PathToWrite = {
+  /** The number of numbers of a configuration: that of the robot by default, and of a disc with its heading 3, `trajectory.dimension`. */
+  dimension?: number;
+} & (
   /** Rows of a configuration: `scenario.pathRows(result)`, or any path. */
   | { configurations: Float64Array; states?: undefined }
   /** Rows of the time, the configuration, the velocity and the acceleration: `trajectory.sample(dt)` or `trajectory.rows()`. */
-  | { states: Float64Array; configurations?: undefined };
+  | { states: Float64Array; configurations?: undefined }
+);
 
 /** Options of `writePath`. */
 export interface PathWriteOptions {

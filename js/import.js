@@ -142,10 +142,10 @@ export async function writePath(path, options) {
  * @returns {Promise<Uint8Array>} @internal
  */
 export async function writePathWith(ready, path, options) {
-  const { numbers, isTimed } = readable(() => rowsOf(path), "/path");
+  const { numbers, isTimed, dimension } = readable(() => rowsOf(path), "/path");
   const settings = optionsOf(options);
   if (!isSound()) await ready();
-  return called(() => writePathFile(numbers, isTimed, settings));
+  return called(() => writePathFile(numbers, isTimed, dimension, settings));
 }
 
 /** The rows of a path: a view of the same numbers. @param {unknown} path */
@@ -156,7 +156,7 @@ function rowsOf(path) {
       `path must be an object with configurations or states, not ${kindOf(path)}`,
       "/path",
     );
-  const { configurations, states } = /** @type {Record<string, unknown>} */ (path);
+  const { configurations, states, dimension } = /** @type {Record<string, unknown>} */ (path);
   if (configurations === undefined && states === undefined)
     throw new PlanariumError("missing-field", "path must have configurations or states", "/path");
   if (configurations !== undefined && states !== undefined)
@@ -169,8 +169,11 @@ function rowsOf(path) {
   const [name, given] = isTimed ? ["states", states] : ["configurations", configurations];
   if (!ArrayBuffer.isView(given) || CLASS?.call(given) !== "Float64Array")
     throw new PlanariumError("wrong-type", `${name} must be a Float64Array, not ${kindOf(given)}`, `/path/${name}`);
+  if (dimension !== undefined && !Number.isInteger(dimension))
+    throw new PlanariumError("wrong-type", `dimension must be an integer, not ${kindOf(dimension)}`, "/path/dimension");
   const length = given.byteLength / Float64Array.BYTES_PER_ELEMENT;
-  return { numbers: new Float64Array(given.buffer, given.byteOffset, length), isTimed };
+  const numbers = new Float64Array(given.buffer, given.byteOffset, length);
+  return { numbers, isTimed, dimension: /** @type {number | undefined} */ (dimension) };
 }
 
 /**

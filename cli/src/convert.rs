@@ -26,7 +26,8 @@ Forms:
   npy            rows of 64-bit numbers: the time if there is one, and the configuration
 Rows are the waypoints, the corners of blends among them. The arcs of a car are cut into chords that stay within --deviation of
 them. With a trajectory, rows are its knots, corners among them, with as many between them as that takes; or with --dt, equal
-times and the end: then chords may cut corners. Angles are continuous, not wrapped.
+times and the end: then chords may cut corners. Angles are continuous, not wrapped. Rows of a trajectory made with --differential
+have the heading of the disc, theta.
 Coordinates are the metres of the imported file, without the shift of the import; geojson has the unit of a GeoJSON or WKT map, and
 csv and json have its longitude and latitude as well. Those of svg are the scenario's, y up. A disc has the heading of its way in
 poses. An arm has csv, json, svg and npy.

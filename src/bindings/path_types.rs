@@ -13,12 +13,17 @@ export interface TimingLimits {
   speed: number | readonly number[] | Float64Array;
   /** The greatest acceleration. */
   acceleration: number | readonly number[] | Float64Array;
-  /** Of a body, the greatest turn rate; required unless there are lists. */
+  /** Of a body, the greatest turn rate; required unless there are lists. So it is of a disc with `differential`. */
   turnRate?: number;
-  /** Of a body, the greatest acceleration of its turn; required unless there are lists. */
+  /** Of the same, the greatest acceleration of the turn; required likewise. */
   turnAcceleration?: number;
   /** Of a car, the greatest acceleration across its path, the square of the speed times the curvature; any by default. */
   lateralAcceleration?: number;
+  /**
+   * Whether a disc drives straight edges forward and turns on the spot at each corner, as a round robot with two driven wheels does; it
+   * moves in any direction by default. The configurations of its trajectory are x, y and the heading.
+   */
+  differential?: boolean;
 }
 
 /** Options of `scenario.time`. */
@@ -37,7 +42,8 @@ export interface RowOptions {
 export type TrajectoryLimits =
   | { type: "coordinates"; speed: number[]; acceleration: number[] }
   | { type: "plane"; speed: number; acceleration: number; turn_rate?: number; turn_acceleration?: number }
-  | { type: "car"; speed: number; acceleration: number; lateral_acceleration?: number };
+  | { type: "car"; speed: number; acceleration: number; lateral_acceleration?: number }
+  | { type: "differential"; speed: number; acceleration: number; turn_rate: number; turn_acceleration: number };
 
 /**
  * A piece of a path as a function of a fraction u from 0 to 1, and its knots: rows of u, its rate per second, and its second derivative per

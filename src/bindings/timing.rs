@@ -88,7 +88,8 @@ pub struct TrajectoryVerification {
 #[wasm_bindgen]
 impl Scenario {
     /// The fastest trajectory along the path of a solved result within limits of speed and acceleration, from rest to rest. It
-    /// rests on the way at corners without a blend (`blend` of the planners rounds them), and where a car changes its direction.
+    /// rests on the way at corners without a blend (`blend` of the planners rounds them), and where a car changes its direction. A
+    /// disc with the limit `differential` drives the corners without their blends.
     /// No limit is exceeded at any time. The path is verified first, unless the option `verify` is `false`.
     /// @throws {PlanariumError} below `/limits`: `missing-field`, `unknown-field`, `wrong-type`, `out-of-range`, `not-finite`,
     /// `wrong-dimension`, `unsupported`; below `/result`: `invalid-result` if it belongs to another scenario, is not solved or
@@ -188,8 +189,9 @@ fn limits_of(limits: &TimingLimits, robot: &Robot) -> Result<timing::Limits, Err
             turn_rate: fields.take("turn_rate")?,
             turn_acceleration: fields.take("turn_acceleration")?,
             lateral_acceleration: fields.take("lateral_acceleration")?,
+            differential: fields.take("differential")?.unwrap_or_default(),
         };
-        fields.finish("speed, acceleration, turnRate, turnAcceleration, lateralAcceleration")?;
+        fields.finish("speed, acceleration, turnRate, turnAcceleration, lateralAcceleration, differential")?;
         Ok(options)
     };
     read().map_err(|error: Error| error.under("/limits"))?.limits(robot).map_err(spelled)
@@ -276,7 +278,7 @@ impl Trajectory {
 members! { Trajectory(self): wasm_bindgen(getter);
     /// The duration, in seconds.
     duration: f64 = self.timed.duration();
-    /// The number of coordinates of a configuration.
+    /// The number of coordinates of a configuration: `scenario.dimension`, of a disc that drives along its heading 3.
     dimension: usize = self.timed.dimension();
     /// The number of rests on the way, the start and the end not counted.
     restCount: usize = self.timed.rests();

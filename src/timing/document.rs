@@ -105,7 +105,8 @@ impl Trajectory {
     /// # Errors
     /// With the pointer of the offending value: the codes of [`json::parse`], `unknown-format`, `unknown-field`, `missing-field`,
     /// `wrong-type`, `unknown-type`; those of [`Limits::check`]; `wrong-dimension` for a vector with another number of entries
-    /// than the robot has coordinates; `invalid-result` if it belongs to another scenario, or is no such trajectory.
+    /// than the robot has coordinates, with its heading if the limits are differential; `unsupported` for a piece that it cannot
+    /// follow; `invalid-result` if it belongs to another scenario, or is no such trajectory.
     pub fn parse(text: &str, scenario: &Scenario) -> Result<Self, Error> {
         Self::read(&json::parse(text)?, scenario)
     }
@@ -120,7 +121,7 @@ impl Trajectory {
         }
         scenario.find_query(Some(&query))?;
         limits.check(scenario.robot())?;
-        let dimension = scenario.robot().dimension();
+        let dimension = limits.dimension(scenario.robot());
         let pieces: Vec<Piece> = pieces.into_iter().map(Piece::from).collect();
         check_length("/start", &start, dimension)?;
         for (i, piece) in pieces.iter().enumerate() {
@@ -137,20 +138,23 @@ impl Trajectory {
 }
 
 fn check_piece(place: &str, curve: &Curve, limits: &Limits, dimension: usize) -> Result<(), Error> {
-    let is_car = matches!(limits, Limits::Car(_));
+    let [is_car, is_differential] = [matches!(limits, Limits::Car(_)), matches!(limits, Limits::Differential(_))];
     match curve {
         Curve::Straight { from, rate } if !is_car => {
             check_length(&format!("{place}/from"), from, dimension)?;
             check_length(&format!("{place}/rate"), rate, dimension)
         }
-        Curve::Parabola { from, rate, bend } if !is_car => {
+        Curve::Parabola { from, rate, bend } if !is_car && !is_differential => {
             check_length(&format!("{place}/from"), from, dimension)?;
             check_length(&format!("{place}/rate"), rate, dimension)?;
             check_length(&format!("{place}/bend"), bend, dimension)
         }
         Curve::Arc { .. } if is_car => Ok(()),
         _ => {
-            let sentence = "a car drives along arcs, and no other robot does";
+            let sentence = match limits {
+                Limits::Differential(_) => "a robot that drives along its heading has straight pieces alone",
+                _ => "a car drives along arcs, and no other robot does",
+            };
             Err(Error::new(Code::Unsupported, format!("{place}/type"), sentence))
         }
     }

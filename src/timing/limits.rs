@@ -22,9 +22,11 @@ pub enum Limits {
     Plane(PlaneLimits),
     /// Of a car along its path.
     Car(CarLimits),
+    /// Of a disc that drives along its heading and turns on the spot: a round robot with two driven wheels.
+    Differential(DifferentialLimits),
 }
 
-by_type!(Limits { "coordinates" => Coordinates, "plane" => Plane, "car" => Car });
+by_type!(Limits { "coordinates" => Coordinates, "plane" => Plane, "car" => Car, "differential" => Differential });
 
 /// Limits of every coordinate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,6 +67,21 @@ pub struct CarLimits {
     pub lateral_acceleration: Option<f64>,
 }
 
+/// Limits of a disc that drives straight edges forward, and turns on the spot in between. Its trajectory has the configuration
+/// (x, y, heading), and begins with the heading of the first edge.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DifferentialLimits {
+    /// The greatest speed, in metres per second.
+    pub speed: f64,
+    /// The greatest acceleration along the path, in metres per second squared.
+    pub acceleration: f64,
+    /// The greatest turn rate, in radians per second.
+    pub turn_rate: f64,
+    /// The greatest acceleration of a turn, in radians per second squared.
+    pub turn_acceleration: f64,
+}
+
 impl Limits {
     /// Whether they are limits of this robot.
     ///
@@ -91,7 +108,7 @@ impl Limits {
                             return Err(Error::new(Code::MissingField, format!("/limits/{name}"), sentence));
                         }
                         (Some(_), _) => {
-                            let sentence = "a disc does not turn".to_owned();
+                            let sentence = "a disc does not turn, unless its limits are differential".to_owned();
                             return Err(Error::new(Code::Unsupported, format!("/limits/{name}"), sentence));
                         }
                         (None, _) => {}
@@ -104,11 +121,23 @@ impl Limits {
                 check("acceleration", limits.acceleration)?;
                 limits.lateral_acceleration.map_or(Ok(()), |limit| check("lateral_acceleration", limit))
             }
+            Self::Differential(limits) if matches!(robot, Robot::Disc(_)) => {
+                let DifferentialLimits { speed, acceleration, turn_rate, turn_acceleration } = *limits;
+                check("speed", speed)?;
+                check("acceleration", acceleration)?;
+                check("turn_rate", turn_rate)?;
+                check("turn_acceleration", turn_acceleration)
+            }
             _ => {
                 let sentence = format!("the robot {} has other limits than these", robot.kind());
                 Err(Error::new(Code::Unsupported, "/limits", sentence))
             }
         }
+    }
+
+    /// The number of coordinates of a trajectory of this robot: one more than its own for a disc that turns.
+    pub(super) fn dimension(&self, robot: &Robot) -> usize {
+        robot.dimension() + usize::from(matches!(self, Self::Differential(_)))
     }
 
     /// The limits on a piece of a path: of each group of coordinates that has one.
@@ -135,6 +164,9 @@ impl Limits {
             Self::Plane(PlaneLimits { speed, acceleration, turn_rate, turn_acceleration }) => {
                 let turn = turn_rate.zip(*turn_acceleration).map(|(rate, most)| bound([2, NONE], rate, most));
                 std::iter::once(bound([0, 1], *speed, *acceleration)).chain(turn).collect()
+            }
+            Self::Differential(DifferentialLimits { speed, acceleration, turn_rate, turn_acceleration }) => {
+                vec![bound([0, 1], *speed, *acceleration), bound([2, NONE], *turn_rate, *turn_acceleration)]
             }
             Self::Car(_) => Vec::new(),
         }

@@ -5,6 +5,7 @@
 //! linear in u, and its norm largest at an end; the square of the speed is a cubic, and largest at an end or where it is level.
 
 use super::curve::{Curve, norm};
+use super::differential::is_driven;
 use super::limits::{Bound, Limits};
 use super::profile::Knot;
 use super::trajectory::{Piece, Trajectory, lasting};
@@ -82,7 +83,8 @@ fn along(limits: &Limits, length: f64, turn: f64, knots: &[Knot]) -> Shares {
 }
 
 /// Proves that a trajectory goes forward from rest to rest, without a jump of position or velocity, and within its limits. Of a
-/// car the speed along the path is continuous; its turn rate jumps with the curvature. O(knots).
+/// car the speed along the path is continuous; its turn rate jumps with the curvature. With differential limits, also that the
+/// robot never moves sideways or backward. O(knots).
 ///
 /// # Errors
 /// `invalid-result` with the pointer of the piece
@@ -92,6 +94,11 @@ pub(super) fn check(trajectory: &Trajectory) -> Result<(), Error> {
         check_knots(&piece.knots, &format!("/pieces/{i}/knots"))?;
     }
     let invalid = |i: usize, sentence: &str| Err(Trajectory::invalid(format!("/pieces/{i}"), sentence));
+    if matches!(limits, Limits::Differential(_))
+        && let Some(i) = pieces.iter().position(|piece| !is_driven(&piece.curve))
+    {
+        return invalid(i, "the robot neither drives along its heading nor turns on the spot");
+    }
     let mut place = trajectory.start.clone();
     // The velocity there, and the fastest one near it.
     let mut velocity = (vec![0.0; place.len()], 0.0);

@@ -121,7 +121,7 @@ impl Trajectory {
         self.duration
     }
 
-    /// The number of coordinates of a configuration.
+    /// The number of coordinates of a configuration: those of the robot, and of a disc with differential limits the heading.
     pub fn dimension(&self) -> usize {
         self.start.len()
     }

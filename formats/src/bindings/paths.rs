@@ -7,7 +7,7 @@ use crate::{
     Angles, File, MAX_WAYPOINTS, PathForm, PathOptions, PathRead, PathRows, WriteOptions, read_path, write_path,
 };
 use js_sys::{Array, Float64Array, Uint8Array};
-use planarium::scenario::Scenario;
+use planarium::scenario::{Robot, Scenario};
 use planarium::{Error, error::Code, json};
 use serde::Deserialize;
 use serde_json::Value;
@@ -58,17 +58,25 @@ pub fn read_path_file(name: &str, bytes: Uint8Array, options: &str) -> Result<Ar
 }
 
 /// Writes a path: its configurations one after the other, or if it `is_timed` its states, which are rows of the time, the
-/// configuration, the velocity and the acceleration; and the options as JSON. Returns the content of the file.
+/// configuration, the velocity and the acceleration; the number of numbers of a configuration, if not that of the robot; and the
+/// options as JSON. Returns the content of the file.
 ///
 /// # Errors
 /// JSON of an error.
 #[wasm_bindgen(js_name = writePathFile)]
-pub fn write_path_file(numbers: &Float64Array, is_timed: bool, options: &str) -> Result<Uint8Array, JsValue> {
+pub fn write_path_file(
+    numbers: &Float64Array,
+    is_timed: bool,
+    dimension: Option<u32>,
+    options: &str,
+) -> Result<Uint8Array, JsValue> {
     let request = options_of::<WriteRequest>(options);
     let prepared = request.and_then(|request| Ok((scenario_of(&request.scenario)?, request)));
     let (scenario, WriteRequest { form, query, frame_id, .. }) =
         prepared.map_err(|error| Thrown::of(&error).value())?;
-    let rows = rows(&scenario, query, numbers, is_timed).map_err(|error| Thrown::of(&error).value())?;
+    let rows = dimension_of(&scenario, dimension)
+        .and_then(|dimension| rows(dimension, query, numbers, is_timed))
+        .map_err(|error| Thrown::of(&error).value())?;
     let written = write_path(&scenario, &rows, form, &WriteOptions { frame_id });
     written.map(|bytes| Uint8Array::from(&bytes[..])).map_err(|error| Thrown::in_file(&error).value())
 }
@@ -77,9 +85,21 @@ fn scenario_of(document: &Value) -> Result<Scenario, Error> {
     Scenario::read(document).map_err(|error| error.under("/scenario"))
 }
 
+/// The number of numbers of a configuration: that of the robot, or of a disc with its heading 3.
+fn dimension_of(scenario: &Scenario, given: Option<u32>) -> Result<usize, Error> {
+    let (robot, own) = (scenario.robot(), scenario.robot().dimension());
+    match given.map_or(own, |given| given as usize) {
+        3 if matches!(robot, Robot::Disc(_)) => Ok(3),
+        dimension if dimension == own => Ok(own),
+        dimension => {
+            let sentence = format!("a configuration of the robot {} has {own} numbers, not {dimension}", robot.kind());
+            Err(Error::new(Code::WrongDimension, "/path/dimension", sentence))
+        }
+    }
+}
+
 /// The rows of numbers that follow each other.
-fn rows(scenario: &Scenario, query: String, numbers: &Float64Array, is_timed: bool) -> Result<PathRows, Error> {
-    let dimension = scenario.robot().dimension();
+fn rows(dimension: usize, query: String, numbers: &Float64Array, is_timed: bool) -> Result<PathRows, Error> {
     let (width, name) = if is_timed { (1 + 3 * dimension, "states") } else { (dimension, "configurations") };
     let count = numbers.length() as usize;
     if !count.is_multiple_of(width) {

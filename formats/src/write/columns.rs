@@ -24,7 +24,12 @@ impl Table {
     /// The columns of rows that were checked.
     pub fn of(scenario: &Scenario, rows: &PathRows) -> Self {
         let PathRows { configurations, timing, .. } = rows;
-        let (robot, frame) = (RobotColumns::of(scenario.robot()), scenario.frame());
+        let frame = scenario.frame();
+        let robot = match RobotColumns::of(scenario.robot()) {
+            // The rows of a disc may have its heading.
+            RobotColumns::Place { .. } => RobotColumns::Place { turns: configurations[0].len() == 3 },
+            joints => joints,
+        };
         let is_place = matches!(robot, RobotColumns::Place { .. });
         let mut columns = Vec::new();
         if let Some(RowTiming { times, .. }) = timing {

@@ -61,7 +61,7 @@ pub fn write(scenario: &Scenario, rows: &PathRows) -> String {
         Feature::new(Properties { name, theta, t_s }, Geometry::Point(places[i]))
     };
     features.push(point(0, Some("start")));
-    if scenario.robot().dimension() == 3 || timing.is_some() {
+    if configurations[0].len() == 3 || timing.is_some() {
         features.extend((1..last).map(|i| point(i, None)));
     }
     features.push(point(last, Some("goal")));

@@ -55,7 +55,7 @@ impl PathForm {
 pub struct PathRows {
     /// The name of the query.
     pub query: String,
-    /// The configurations of the robot, from the start to the goal.
+    /// The configurations of the robot, from the start to the goal. All of a disc may have its heading after x and y.
     pub configurations: Vec<Vec<f64>>,
     /// Of a timed path, when and how fast.
     pub timing: Option<RowTiming>,
@@ -98,7 +98,7 @@ pub struct WriteOptions {
 ///
 /// # Errors
 /// `truncated` if there is no row; `wrong-columns` for a row, a time or a velocity with other numbers than the robot has
-/// coordinates; `invalid-number` for one that is not finite, and for a time that a stamp of ROS cannot hold; `world-too-large` for
+/// coordinates, of a disc with its heading as the first row has it; `invalid-number` for one that is not finite, and for a time that a stamp of ROS cannot hold; `world-too-large` for
 /// more than [`MAX_WAYPOINTS`] rows; `invalid-option` for a form that an arm has not, and for a name of a frame that is empty or
 /// has no use.
 ///
@@ -172,7 +172,8 @@ fn check_rows(scenario: &Scenario, rows: &PathRows) -> Result<(), FormatError> {
         let sentence = format!("{count} rows have {} times and {} velocities", times.len(), velocities.len());
         return Err(FormatError::new(Code::WrongColumns, sentence));
     }
-    let (dimension, kind) = (scenario.robot().dimension(), scenario.robot().kind());
+    let has_heading = matches!(scenario.robot(), Robot::Disc(_)) && configurations[0].len() == 3;
+    let (dimension, kind) = (scenario.robot().dimension() + usize::from(has_heading), scenario.robot().kind());
     for (i, configuration) in configurations.iter().enumerate() {
         let at = |code: Code, sentence: String| FormatError::new(code, sentence).at(Place::Element(format!("row {i}")));
         let timed = timing.iter().flat_map(|timing| [(&timing.velocities[i], "velocities")]);

@@ -1,13 +1,13 @@
 //! Whether a trajectory follows the path of its result: the parts of the path are found again, one after the other.
 
 use super::span::driven;
-use super::{PLACED, largest};
+use super::{LED, PLACED, largest};
 use crate::path::ResultDocument;
 use crate::problem::Motion;
 use crate::robot::Car;
 use crate::scenario::Robot;
-use crate::timing::{Curve, Trajectory};
-use std::f64::consts::TAU;
+use crate::timing::{Curve, Limits, Trajectory};
+use std::f64::consts::{PI, TAU};
 
 /// A part of the path of the result, at the fractions 0, 1/2 and 1 of it: two parts of the second degree that agree there agree
 /// everywhere.
@@ -17,20 +17,36 @@ type Stretch = [Vec<f64>; 3];
 pub(super) fn follows(robot: &Robot, result: &ResultDocument, trajectory: &Trajectory) -> Result<(), String> {
     let is_circle = robot.circles();
     let gap = |i: usize, a: f64, b: f64| if is_circle[i] { libm::remainder(b - a, TAU) } else { b - a };
+    // The path has no heading of a robot that drives along it.
+    let own = is_circle.len();
     let apart = |a: &[f64], b: &[f64]| {
-        let size = largest(a).max(largest(b)).max(1.0);
-        (0..is_circle.len()).map(|i| gap(i, a[i], b[i]).abs()).fold(0.0, f64::max) / size
+        let size = largest(&a[..own]).max(largest(&b[..own])).max(1.0);
+        (0..own).map(|i| gap(i, a[i], b[i]).abs()).fold(0.0, f64::max) / size
     };
     if let Some(waypoint) = result.path.iter().find(|waypoint| waypoint.len() != is_circle.len()) {
         return Err(format!("the path has the waypoint {waypoint:?}"));
     }
+    let is_differential = matches!(trajectory.limits(), Limits::Differential(_));
     let stretches = match robot {
         Robot::Car(car) => motions(car, result)?,
-        _ => edges(result, &gap),
+        _ if is_differential => edges(&result.path, &[], &gap),
+        _ => edges(&result.path, result.blends.as_deref().unwrap_or_default(), &gap),
     };
     let mut left = stretches.iter();
     let is_short = |stretch: &Stretch| apart(&stretch[0], &stretch[2]).max(apart(&stretch[0], &stretch[1])) <= PLACED;
+    // Whether a turn on the spot would be one at a corner.
+    let mut is_corner = false;
     for (i, piece) in trajectory.pieces().iter().enumerate() {
+        if is_differential {
+            let is_turn = turns(piece.curve()).map_err(|why| format!("piece {i}: {why}"))?;
+            if is_turn && !is_corner {
+                return Err(format!("piece {i} turns where there is no corner"));
+            }
+            is_corner = !is_turn;
+            if is_turn {
+                continue;
+            }
+        }
         let at = [0.0, 0.5, 1.0].map(|u| curve_at(piece.curve(), u));
         let fits = |stretch: &Stretch| at.iter().zip(stretch).all(|(a, b)| apart(a, b) <= PLACED);
         loop {
@@ -46,6 +62,9 @@ pub(super) fn follows(robot: &Robot, result: &ResultDocument, trajectory: &Traje
     if left.any(|stretch| !is_short(stretch)) {
         return Err("it does not follow the path to its end".into());
     }
+    if is_differential && !is_corner && !trajectory.pieces().is_empty() {
+        return Err("it turns at the end of the path".into());
+    }
     let ends = [(0.0, result.path.first()), (trajectory.duration(), result.path.last())];
     for (time, waypoint) in ends {
         let at = trajectory.configuration(time);
@@ -54,6 +73,21 @@ pub(super) fn follows(robot: &Robot, result: &ResultDocument, trajectory: &Traje
         }
     }
     Ok(())
+}
+
+/// Whether a robot that drives along its heading turns on the spot: the short way, and otherwise it drives forward.
+fn turns(curve: &Curve) -> Result<bool, String> {
+    let Curve::Straight { from, rate } = curve else { return Err("it is not straight".into()) };
+    let [x, y, turn] = [rate[0], rate[1], rate[2]];
+    let is_turn = x == 0.0 && y == 0.0;
+    if is_turn && turn.abs() > PI + PLACED {
+        return Err(format!("it turns by {turn}, more than half a turn"));
+    }
+    let off = libm::remainder(libm::atan2(y, x) - from[2], TAU);
+    if is_turn || (turn == 0.0 && off.abs() <= LED) {
+        return Ok(is_turn);
+    }
+    Err(format!("the robot moves sideways, {off} rad from its heading"))
 }
 
 fn curve_at(curve: &Curve, u: f64) -> Vec<f64> {
@@ -67,13 +101,11 @@ fn curve_at(curve: &Curve, u: f64) -> Vec<f64> {
 }
 
 /// Edges without what their blends replace, and blends by their control points.
-fn edges(result: &ResultDocument, gap: &dyn Fn(usize, f64, f64) -> f64) -> Vec<Stretch> {
-    let path = &result.path;
+fn edges(path: &[Vec<f64>], blends: &[[f64; 2]], gap: &dyn Fn(usize, f64, f64) -> f64) -> Vec<Stretch> {
     let toward = |a: &[f64], b: &[f64], share: f64| -> Vec<f64> {
         (0..a.len()).map(|i| a[i] + share * gap(i, a[i], b[i])).collect()
     };
     let shares = |i: usize| {
-        let blends = result.blends.as_deref().unwrap_or_default();
         let [before, after] = i.checked_sub(1).and_then(|i| blends.get(i)).copied().unwrap_or_default();
         if before > 0.0 && after > 0.0 { [before, after] } else { [0.0; 2] }
     };

@@ -2,15 +2,16 @@
 //!
 //! It walks along the path of the result by itself and compares every piece with the edge, the blend or the motion that it is to
 //! follow. Along each span between two knots a coordinate is a polynomial of the time; its velocity and its acceleration are
-//! computed from the coefficients, at many times of the span, and where they are greatest. None of that uses the code that made
-//! or proved the trajectory; an arc is integrated numerically.
+//! computed from the coefficients, at many times of the span, and where they are greatest. A robot that drives along its heading
+//! is never to move in another direction. None of that uses the code that made or proved the trajectory; an arc is integrated
+//! numerically.
 
 mod follow;
 mod span;
 
 use self::follow::follows;
 use self::span::KnotSpan;
-use super::limits::{CarLimits, CoordinateLimits, Limits, PlaneLimits};
+use super::limits::{CarLimits, CoordinateLimits, DifferentialLimits, Limits, PlaneLimits};
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
@@ -196,6 +197,10 @@ impl Examined {
                     (length(acceleration) / most).max(turned(acceleration, turn_acceleration)),
                 ]
             }
+            Limits::Differential(DifferentialLimits { speed, acceleration: most, turn_rate, turn_acceleration }) => [
+                (length(velocity) / speed).max(velocity[2].abs() / turn_rate),
+                (length(acceleration) / most).max(acceleration[2].abs() / turn_acceleration),
+            ],
             Limits::Car(CarLimits { speed, acceleration: most, lateral_acceleration }) => {
                 let own = if let Robot::Car(car) = robot { own_share(car, velocity[0]) } else { f64::INFINITY };
                 let across = lateral_acceleration.map_or(0.0, |most| acceleration[1].abs() / most);

@@ -61,16 +61,15 @@ export interface PathRead {
   report: PathReport;
 }
 
-/** A path to write: rows of numbers one after the other, in metres and radians, in the coordinates of the scenario. */
-export type PathToWrite = {
-  /** The number of numbers of a configuration: that of the robot by default, and of a disc with its heading 3, `trajectory.dimension`. */
-  dimension?: number;
-} & (
+/**
+ * A path to write: rows of numbers one after the other, in metres and radians, in the coordinates of the scenario. The number of numbers of a
+ * configuration, `dimension`, is that of the robot by default; of a disc with its heading it is 3, as `trajectory.dimension` has it.
+ */
+export type PathToWrite =
   /** Rows of a configuration: `scenario.pathRows(result)`, or any path. */
-  | { configurations: Float64Array; states?: undefined }
+  | { configurations: Float64Array; states?: undefined; dimension?: number }
   /** Rows of the time, the configuration, the velocity and the acceleration: `trajectory.sample(dt)` or `trajectory.rows()`. */
-  | { states: Float64Array; configurations?: undefined }
-);
+  | { states: Float64Array; configurations?: undefined; dimension?: number };
 
 /** Options of `writePath`. */
 export interface PathWriteOptions {

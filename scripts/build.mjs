@@ -196,7 +196,7 @@ async function makeGlue(core, wasm) {
     core === IMPORT
       ? `export declare function readFiles(names: string[], contents: Uint8Array[], options: string): [string, Uint8Array | null];
 export declare function readPathFile(name: string, bytes: Uint8Array, options: string): [string, Float64Array];
-export declare function writePathFile(numbers: Float64Array, isTimed: boolean, options: string): Uint8Array;`
+export declare function writePathFile(numbers: Float64Array, isTimed: boolean, dimension: number | undefined, options: string): Uint8Array;`
       : `export * from "./core.js";`;
   writeFileSync(
     join(glue, `${core.glue}.d.ts`),

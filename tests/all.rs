@@ -16,6 +16,7 @@ mod certificate;
 mod control;
 mod custom;
 mod delivery;
+mod differential;
 mod direct;
 mod directed;
 mod driving;

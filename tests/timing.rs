@@ -31,7 +31,7 @@ fn empty(robot: &str, dimension: usize) -> Scenario {
     )
 }
 
-fn arm() -> Scenario {
+pub fn arm() -> Scenario {
     empty(r#"{"type": "arm", "base": [0, 0], "links": [1, 1, 0.5]}"#, 3)
 }
 
@@ -42,11 +42,11 @@ fn sliding_arm() -> Scenario {
     empty(&format!(r#"{{"type": "arm", "base": [0, 0], "links": [1, 1, 0.5, 0.2], "joints": {joints}}}"#), 4)
 }
 
-fn disc() -> Scenario {
+pub fn disc() -> Scenario {
     empty(r#"{"type": "disc", "radius": 0.1}"#, 2)
 }
 
-fn body() -> Scenario {
+pub fn body() -> Scenario {
     empty(&format!(r#"{{"type": "rigid_body", "shape": {SQUARE}}}"#), 3)
 }
 
@@ -56,7 +56,7 @@ fn car() -> Scenario {
 }
 
 /// A solved result with this path and, if any, blends and motions.
-fn result(path: &[Vec<f64>], blends: Option<&[[f64; 2]]>, motions: Option<Json>) -> ResultDocument {
+pub fn result(path: &[Vec<f64>], blends: Option<&[[f64; 2]]>, motions: Option<Json>) -> ResultDocument {
     let mut document = json!({
         "scenario": "empty", "query": "any", "planner": "given", "seed": 0, "status": "solved", "path": path, "length": 0,
         "stats": planarium::problem::Stats::default(), "fingerprint": "0000000000000000",
@@ -71,12 +71,12 @@ fn result(path: &[Vec<f64>], blends: Option<&[[f64; 2]]>, motions: Option<Json>)
 }
 
 /// A number between two others.
-fn between(random: &mut Random, low: f64, high: f64) -> f64 {
+pub fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.uniform()
 }
 
 /// A random path of straight edges: most corners have blends; one waypoint in eight is at a share `beside` of the way to another.
-fn corners(random: &mut Random, robot: &Robot, beside: f64) -> ResultDocument {
+pub fn corners(random: &mut Random, robot: &Robot, beside: f64) -> ResultDocument {
     let reach: Vec<[f64; 2]> = match robot {
         Robot::Arm(arm) => arm.joint_types().iter().map(|joint| joint.range().unwrap_or([-PI, PI])).collect(),
         Robot::Disc(_) => vec![[-2.0, 2.0]; 2],

@@ -222,6 +222,58 @@ fn a_trajectory_has_times_and_speeds() {
     planarium(line).refuses("invalid-result", "/pieces");
 }
 
+/// A disc that turns and drives has a heading, which its own configuration has not.
+#[test]
+fn a_differential_drive_has_a_heading() {
+    planarium("plan room.json --query around --seed 3 --set shortcut=20 --out convert-driven.json");
+    let limits = "--differential --speed 1 --acceleration 2 --turn-rate 2 --turn-acceleration 4";
+    let timed = planarium(&format!("time room.json convert-driven.json {limits} --out convert-drive.json"));
+    assert_eq!(timed.code, 0, "{}", timed.stderr);
+    let trajectory: Value = serde_json::from_str(&text_of("convert-drive.json")).expect("JSON");
+    assert_eq!(trajectory["limits"]["type"], json!("differential"));
+    let verified = planarium("verify room.json convert-driven.json --trajectory convert-drive.json");
+    assert_eq!((verified.code, &verified.json()["valid"]), (0, &json!(true)), "{}", verified.stderr);
+    let line = "convert room.json convert-driven.json --trajectory convert-drive.json --force --out convert-drive";
+    for (form, options) in [
+        ("csv", "--dt 0.01"),
+        ("json", ""),
+        ("npy", ""),
+        ("geojson", ""),
+        ("svg", ""),
+        ("nav-path", "--dt 0.1"),
+        ("nav-waypoints", ""),
+    ] {
+        let written = planarium(&format!("{line}.{form} --to {form} {options}"));
+        assert_eq!(written.code, 0, "{form}: {}", written.stderr);
+    }
+    let table = text_of("convert-drive.csv");
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("t_s,x_m,y_m,theta_rad,vx_m_s,vy_m_s,omega_rad_s"));
+    let mut turning = 0;
+    for line in lines {
+        let row: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        let [_, _, _, theta, vx, vy, omega] = row[..] else { panic!("{line}") };
+        assert!((vy * theta.cos() - vx * theta.sin()).abs() < 1e-12, "it moves sideways: {line}");
+        assert!(omega.abs() <= 2.0 + 1e-9 && (omega == 0.0 || (vx, vy) == (0.0, 0.0)), "{line}");
+        turning += usize::from(omega != 0.0);
+    }
+    assert!(turning > 10, "{turning}");
+    // What it drives is free, as the path is.
+    let verified = planarium("verify room.json convert-drive.csv");
+    assert_eq!(verified.code, 0, "{}", verified.stderr);
+    for (options, code, pointer) in [
+        ("--differential --speed 1 --acceleration 1", "missing-field", "/limits/turn_rate"),
+        (&*format!("{limits} --lateral-acceleration 1"), "unsupported", "/limits/lateral_acceleration"),
+        (
+            "--differential --speed 1,1 --acceleration 1 --turn-rate 1 --turn-acceleration 1",
+            "wrong-dimension",
+            "/limits/speed",
+        ),
+    ] {
+        planarium(&format!("time room.json convert-driven.json {options}")).refuses(code, pointer);
+    }
+}
+
 #[test]
 fn what_is_no_path_and_no_form_is_refused() {
     planarium("plan room.json --query around --seed 1 --out convert-room.json");

@@ -142,6 +142,41 @@ fn tables_have_units_and_say_where_the_map_is() {
     assert_eq!(lines(&floor(disc(), MapFrame::default()), &rows(2, false))[3].split(',').nth(1), Some("0.0000001"));
 }
 
+/// The trajectory of a disc that drives along its heading has rows of x, y and the heading.
+#[test]
+fn a_disc_may_have_a_heading() {
+    let [_, moved, degrees, _] = frames();
+    let (scenario, rows) = (floor(disc(), moved), rows(3, true));
+    let text = |form| String::from_utf8(written(&scenario, &rows, form)).expect("text");
+    let table = text(PathForm::Csv);
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines[0], "t_s,x_m,y_m,theta_rad,vx_m_s,vy_m_s,omega_rad_s");
+    assert_eq!(lines[2], "0.25,4500001.5,-1021.75,3.5,-0.5,-0.5,-0.5");
+    let json: serde_json::Value = serde_json::from_str(&text(PathForm::Json)).expect("JSON");
+    assert_eq!(json["columns"]["theta"], serde_json::json!({"unit": "rad", "values": [3.0, 3.5, 2.0 * PI]}));
+    let points: serde_json::Value = serde_json::from_str(&text(PathForm::GeoJson)).expect("JSON");
+    let headings = points["features"].as_array().expect("features").iter().map(|one| &one["properties"]["theta"]);
+    assert_eq!(headings.skip(1).map(|theta| theta.as_f64()).collect::<Vec<_>>(), [3.0, 3.5, 2.0 * PI].map(Some));
+    for form in [PathForm::NavPath, PathForm::NavWaypoints] {
+        // Not the direction to the next place.
+        let (z, w) = libm::sincos(1.5);
+        assert!(text(form).contains(&format!("orientation: {{x: 0.0, y: 0.0, z: {z}, w: {w}}}")), "{}", text(form));
+    }
+    let bytes = written(&scenario, &rows, PathForm::Npy);
+    assert!(String::from_utf8_lossy(&bytes).contains("(3, 4)"), "time, x, y and theta");
+    assert_eq!(text(PathForm::Svg).matches("<circle").count(), 1 + 3, "an obstacle, and the robot at each row");
+    for form in [PathForm::Csv, PathForm::Json, PathForm::GeoJson, PathForm::NavPath, PathForm::NavWaypoints] {
+        let bytes = written(&floor(disc(), degrees), &rows, form);
+        let file = File { name: "path", bytes: &bytes };
+        let read = read_path(file, &disc(), &degrees, &PathOptions::default()).expect("a path of a disc");
+        assert_eq!((read.waypoints.len(), read.waypoints[0].len()), (3, 2), "{form:?}");
+    }
+    let mut mixed = rows.clone();
+    mixed.configurations[1].pop();
+    let error = write_path(&scenario, &mixed, PathForm::Csv, &WriteOptions::default()).expect_err("it is refused");
+    assert_eq!((error.code(), error.place()), (Code::WrongColumns, Some(&Place::Element("row 1".to_owned()))));
+}
+
 /// The header of an array is that of NumPy, padded to 64 bytes.
 #[test]
 fn arrays_begin_at_a_multiple_of_64_bytes() {

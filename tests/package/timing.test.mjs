@@ -413,6 +413,40 @@ test("rows of results and trajectories are written with their times and speeds",
     });
 });
 
+test("a disc that turns and drives has a heading, which is written", async () => {
+  const scenario = Scenario.parse(scenes.disc);
+  const result = solve(scenes.disc, { algorithm: "rrt-connect", seed: 3, shortcut: 50 });
+  const limits = { speed: 1, acceleration: 2, turnRate: 2, turnAcceleration: 4, differential: true };
+  const trajectory = scenario.time(result, limits);
+  assert.equal(trajectory.dimension, 3);
+  const [[x, y], [u, v]] = result.path;
+  assert.ok(Math.abs(trajectory.state(0).configuration[2] - Math.atan2(v - y, u - x)) < 1e-12);
+  assert.ok(scenario.verifyTrajectory(result, JSON.stringify(trajectory)).valid);
+  assert.equal(scenario.trajectory(trajectory.toJSON()).duration, trajectory.duration);
+  const states = trajectory.sample(0.1);
+  const options = { scenario: scenes.disc, form: /** @type {const} */ ("csv") };
+  const rows = textOf(await writePath({ states, dimension: trajectory.dimension }, options))
+    .trim()
+    .split("\n");
+  assert.equal(rows[0], "t_s,x_m,y_m,theta_rad,vx_m_s,vy_m_s,omega_rad_s");
+  assert.equal(rows.length, 1 + states.length / 10);
+  assert.deepEqual(rows.at(-1)?.split(",").map(Number), [...states.subarray(-10, -3)]);
+  for (const [call, code, pointer] of /** @type {const} */ ([
+    [
+      () => scenario.time(result, { speed: 1, acceleration: 2, differential: true }),
+      "missing-field",
+      "/limits/turnRate",
+    ],
+    [() => scenario.time(result, { ...limits, lateralAcceleration: 1 }), "unsupported", "/limits/lateralAcceleration"],
+    [() => scenario.time(result, { ...limits, speed: [1, 1] }), "wrong-dimension", "/limits/speed"],
+  ]))
+    assert.throws(call, (error) => {
+      assert.ok(error instanceof PlanariumError, String(error));
+      assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
+      return true;
+    });
+});
+
 test("what the writer of paths refuses, by code and place", async () => {
   const [disc, arm] = [scenes.disc, scenes.arm];
   const path = { configurations: Float64Array.of(2, 2, 8, 4) };
@@ -434,6 +468,30 @@ test("what the writer of paths refuses, by code and place", async () => {
     [[{ states: new Float64Array(8) }, { scenario: disc, form }], "wrong-dimension", "/path/states"],
     [[{ configurations: new Float64Array(0) }, { scenario: disc, form }], "truncated", ""],
     [[{ configurations: Float64Array.of(0, NaN) }, { scenario: disc, form }], "invalid-number", ""],
+    [
+      [
+        { ...path, dimension: 4 },
+        { scenario: disc, form },
+      ],
+      "wrong-dimension",
+      "/path/dimension",
+    ],
+    [
+      [
+        { ...path, dimension: 3 },
+        { scenario: arm, form },
+      ],
+      "wrong-dimension",
+      "/path/dimension",
+    ],
+    [
+      [
+        { ...path, dimension: 2.5 },
+        { scenario: disc, form },
+      ],
+      "wrong-type",
+      "/path/dimension",
+    ],
     [[path, { form }], "missing-field", "/scenario"],
     [[path, { scenario: disc }], "missing-field", "/form"],
     [[path, { scenario: disc, form: "gpx" }], "out-of-range", "/form"],

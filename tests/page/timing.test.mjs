@@ -263,17 +263,20 @@ test("a path that is timed", (t) =>
   ));
 
 test("a trajectory between its rows, and a robot that moves as it is timed", () => {
+  const turning = { turnRate: 1, turnAcceleration: 2, differential: true };
   for (const [id, limits, wheelbase] of /** @type {[string, TimingLimits, number][]} */ ([
     ["stones", { speed: 1, acceleration: 2 }, 0],
+    ["rings", { speed: 1, acceleration: 2, ...turning }, 0],
     ["turn", { speed: 0.5, acceleration: 1 }, 1],
   ])) {
     const { scenario, planner } = planned(id);
     const result = planner.result();
     const full = Scenario.parse(scenario.document());
     const trajectory = full.time(result, limits);
-    const { duration, restCount: rests } = trajectory;
+    const { duration, restCount: rests, dimension } = trajectory;
     const step = duration / 4000;
-    const one = new Timed(scenario, { duration, rests, step, rows: trajectory.sample(step) }, wheelbase);
+    const one = new Timed(scenario, { duration, rests, step, rows: trajectory.sample(step), dimension }, wheelbase);
+    assert.equal(one.heading(1), limits.differential ? trajectory.state(duration).configuration[2] : null);
     for (let i = 0; i <= 977; i++) {
       const { pose, velocity } = one.state((i / 977) * duration);
       const wanted = trajectory.state((i / 977) * duration);

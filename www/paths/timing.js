@@ -12,6 +12,7 @@ import { writePath } from "planarium/import";
  * @property {number} rests      times that the robot rests on the way
  * @property {number} step       seconds between two rows; the last one may come sooner
  * @property {Float64Array} rows   of the time, the configuration, its velocity and its acceleration
+ * @property {number} dimension   of a configuration
  */
 
 /** Rows of a trajectory that a page shows, but for the first. */
@@ -50,9 +51,9 @@ export function timed({ scenario, document }, results, limits) {
     held.push({ trajectory: scenario.time(result, limits, { verify: false }), document });
   }
   return held.map(({ trajectory }) => {
-    const { duration, restCount: rests } = trajectory;
+    const { duration, restCount: rests, dimension } = trajectory;
     const step = duration > 0 ? duration / ROWS : 1;
-    return { duration, rests, step, rows: trajectory.sample(step) };
+    return { duration, rests, step, rows: trajectory.sample(step), dimension };
   });
 }
 
@@ -78,5 +79,6 @@ export function written(index, form, query) {
   let step = LEAST_STEP;
   while (trajectory.duration / step >= MOST_STEPS) step *= 10;
   const states = form === "nav-waypoints" ? trajectory.rows({ deviation: DEVIATION }) : trajectory.sample(step);
-  return writePath({ states }, { scenario, form, ...(query !== undefined && { query }) });
+  const path = { states, dimension: trajectory.dimension };
+  return writePath(path, { scenario, form, ...(query !== undefined && { query }) });
 }

@@ -77,6 +77,8 @@ const experimentRule = withDefaults(
       turn_rate: limit,
       turn_acceleration: limit,
       lateral_acceleration: limit,
+      // A disc turns on the spot and drives along its heading.
+      differential: flag,
       pace: oneOf(/** @type {const} */ ([0.5, 2])),
     }),
   },

@@ -17,6 +17,7 @@ import { firstIndex } from "../../domain/search.js";
  * @property {number} pace     seconds of the robot in one that passes
  * @property {(part: number) => Float64Array} pose   at a part of the period, 0 to 1
  * @property {(part: number) => number} steering     of a car, radians
+ * @property {(part: number) => number | null} heading   of a disc that has one, radians
  */
 /**
  * @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the

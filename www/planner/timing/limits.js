@@ -4,7 +4,7 @@ import { hasSlide, sizeOf } from "../../domain/coordinates.js";
 /** @import { TimingLimits } from "planarium/full" */
 /** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @typedef {"speed" | "acceleration" | "turn_rate" | "turn_acceleration" | "lateral_acceleration"} LimitName */
-/** @typedef {Partial<Record<LimitName, number>>} Given   by whoever uses the page */
+/** @typedef {Partial<Record<LimitName, number>> & { differential?: boolean }} Given   by whoever uses the page */
 /** @typedef {TimingLimits & { speed: number, acceleration: number }} Used   one number for each */
 /** @typedef {{ name: LimitName, title: string, unit: string, usual: number | null }} Limit   null: none */
 
@@ -27,8 +27,13 @@ function rounded(value) {
   return [5, 2, 1].map((digit) => digit * power).find((one) => one <= value) ?? power;
 }
 
-/** The limits of the robot of a scenario. @param {{ scenario: Scenario, document: ScenarioDocument }} shown @returns {Limit[]} */
-export function limitsOf({ scenario, document: { robot } }) {
+/**
+ * The limits of the robot of a scenario.
+ * @param {{ scenario: Scenario, document: ScenarioDocument }} shown
+ * @param {boolean} isDifferential   a disc turns on the spot and drives along its heading
+ * @returns {Limit[]}
+ */
+export function limitsOf({ scenario, document: { robot } }, isDifferential) {
   if (robot.type === "arm") {
     const [speed, acceleration] = hasSlide(robot) ? ["rad/s, m/s", "rad/s\u00b2, m/s\u00b2"] : ["rad/s", "rad/s\u00b2"];
     return [
@@ -42,7 +47,7 @@ export function limitsOf({ scenario, document: { robot } }) {
     { name: "speed", title: "Speed", unit: "m/s", usual: speed },
     { name: "acceleration", title: "Acceleration", unit: "m/s\u00b2", usual: 2 * speed },
   ];
-  if (robot.type === "rigid_body")
+  if (robot.type === "rigid_body" || isDifferential)
     return [
       ...plane,
       { name: "turn_rate", title: "Turn rate", unit: "rad/s", usual: TURNING.speed },
@@ -53,11 +58,18 @@ export function limitsOf({ scenario, document: { robot } }) {
     : plane;
 }
 
-/** The limits that are used, as the package takes them. @param {Limit[]} limits @param {Given} given @returns {Used} */
-export function usedLimits(limits, given) {
+/**
+ * The limits that are used, as the package takes them.
+ * @param {Limit[]} limits
+ * @param {Given} given
+ * @param {boolean} isDifferential
+ * @returns {Used}
+ */
+export function usedLimits(limits, given, isDifferential) {
   const entries = limits.flatMap(({ name, usual }) => {
     const value = given[name] ?? usual;
     return value === null ? [] : [[SPELLED[name], value]];
   });
-  return /** @type {Used} */ (/** @type {unknown} */ (Object.fromEntries(entries)));
+  const used = /** @type {Used} */ (/** @type {unknown} */ (Object.fromEntries(entries)));
+  return isDifferential ? { ...used, differential: true } : used;
 }

@@ -77,7 +77,7 @@ export function quantitiesOf({ type }, coordinates, used) {
       isSigned: false,
     },
   ];
-  if (type === "disc") return plane;
+  if (type === "disc" && !used.differential) return plane;
   return [
     ...plane,
     {

@@ -21,13 +21,14 @@ export class Timed {
    * @param {Timing} timing
    * @param {number} wheelbase    of a car, metres
    */
-  constructor(scenario, { duration, rests, step, rows }, wheelbase) {
+  constructor(scenario, { duration, rests, step, rows, dimension }, wheelbase) {
     this.duration = duration;
     this.rests = rests;
     this.step = step;
     this.rows = rows;
     this.wheelbase = wheelbase;
-    this.dimension = scenario.dimension;
+    /** More than the scenario's where a disc has a heading. */
+    this.dimension = dimension;
     this.circles = scenario.circles();
     this.width = 1 + 3 * this.dimension;
     this.count = rows.length / this.width;
@@ -74,11 +75,16 @@ export class Timed {
 
   /** The configuration at a part of the period. @param {number} part  0 to 1 */
   pose(part) {
-    const { pose } = this.state(part * this.period);
+    const pose = this.state(part * this.period).pose.subarray(0, this.circles.length);
     this.circles.forEach((isCircle, i) => {
       if (isCircle) pose[i] = wrap(pose[i]);
     });
     return pose;
+  }
+
+  /** The heading of a disc that has one, radians; null of others. @param {number} part  0 to 1, of the period */
+  heading(part) {
+    return this.dimension > this.circles.length ? this.state(part * this.period).pose[this.circles.length] : null;
   }
 
   /** The steering angle of a car, radians. @param {number} part  0 to 1, of the period */

@@ -8,7 +8,7 @@ import { byId, counted, make, makeSvg, write } from "../../app/dom.js";
 import { watchKeys } from "../../app/keys.js";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { Chart } from "../../widgets/chart.js";
-import { button, labelled, press } from "../../widgets/elements.js";
+import { button, labelled, press, row, select } from "../../widgets/elements.js";
 import { Field } from "../../widgets/field.js";
 import { num, secondsText } from "../../widgets/format.js";
 import { Slider } from "../../widgets/slider.js";
@@ -52,6 +52,12 @@ const PACES = [
   [2, "2\u00d7"],
 ];
 
+/** How a disc moves. @type {[string, string][]} */
+const MOVES = [
+  ["plane", "Moves in any direction"],
+  ["differential", "Turns and drives"],
+];
+
 export class TimingPanel {
   /** @param {Page} page */
   constructor(page) {
@@ -62,6 +68,9 @@ export class TimingPanel {
     this.line = make("p", { id: "timing-line", role: "status" });
     this.hint = make("p", { className: "hint", id: "timing-hint" });
     this.fields = make("div", { className: "limits" });
+    this.moves = select("timing-moves", "How the robot moves", MOVES);
+    this.moves.addEventListener("change", () => this.change({ differential: this.moves.value === "differential" }));
+    this.moving = row("The robot", this.moves);
     this.play = button("timing-play", "Play", () => page.act(({ timeline }) => timeline.toggle()));
     this.slider = make("input", {
       type: "range",
@@ -97,7 +106,7 @@ export class TimingPanel {
       ),
     );
     this.body = make("div", { className: "timed" }, this.bar, this.legend, this.charts);
-    this.host.append(this.fields, this.line, this.hint, this.body);
+    this.host.append(this.moving, this.fields, this.line, this.hint, this.body);
     watchKeys([this.bar], {
       " ": () => page.act(({ timeline }) => timeline.toggle()),
       home: () => this.seek(0),
@@ -128,6 +137,9 @@ export class TimingPanel {
     const { timing } = this.page.record;
     this.timing.isOn = timing !== undefined;
     if (this.fold.open !== this.timing.isOn) this.fold.open = this.timing.isOn;
+    this.moving.hidden = !this.timing.isDisc;
+    this.moves.value = this.timing.isDifferential ? "differential" : "plane";
+    if (this.timing.limits.length !== this.inputs.size) this.fill();
     for (const { name, usual } of this.timing.limits) {
       const [input, value] = [this.inputs.get(name), this.timing.given[name] ?? usual];
       if (input instanceof Slider && value !== null) {
@@ -139,12 +151,13 @@ export class TimingPanel {
     this.show();
   }
 
-  /** Changes limits or the pace; what the page chooses itself is not stored. @param {Record<string, number | undefined>} patch */
+  /** Changes limits or the pace; what the page chooses itself is not stored. @param {Record<string, number | boolean | undefined>} patch */
   change(patch) {
     const { timing = {} } = this.page.record;
-    const next = /** @type {Record<string, number | undefined>} */ ({ ...timing, ...patch });
+    const next = /** @type {Record<string, number | boolean | undefined>} */ ({ ...timing, ...patch });
     for (const { name, usual } of this.timing.limits) if (next[name] === usual) delete next[name];
     if (next.pace === 1) delete next.pace;
+    if (!next.differential) delete next.differential;
     this.page.change({ timing: /** @type {Experiment["timing"]} */ (next) });
   }
 
@@ -158,10 +171,15 @@ export class TimingPanel {
   build() {
     const { shown } = this.page.session;
     if (!shown) return;
-    this.inputs = new Map(this.timing.limits.map((limit) => [limit.name, this.inputOf(limit)]));
-    this.fields.replaceChildren(...[...this.inputs.values()].map(({ element }) => element));
+    this.fill();
     this.shown = this.due = [];
     this.follow();
+  }
+
+  /** The fields of the limits. */
+  fill() {
+    this.inputs = new Map(this.timing.limits.map((limit) => [limit.name, this.inputOf(limit)]));
+    this.fields.replaceChildren(...[...this.inputs.values()].map(({ element }) => element));
   }
 
   /** @param {Limit} limit @returns {Slider | Field} */
@@ -243,6 +261,7 @@ export class TimingPanel {
     const isCar = this.page.session.shown?.scenario.robot === "car";
     const rests = paths.some(({ timed }) => timed.rests > 0);
     if (!rests) return "";
+    if (this.timing.isDifferential) return "The robot turns on the spot at each corner, and drives forward in between.";
     return isCar
       ? "The car rests where it changes its direction."
       : "The robot rests at each corner. Round the corners, by \u201cRounded corners\u201d among the parameters, and it does not.";

@@ -57,7 +57,17 @@ export class Timing {
   /** The limits of the robot. @returns {Limit[]} */
   get limits() {
     const { shown } = this.page.session;
-    return shown ? limitsOf(shown) : [];
+    return shown ? limitsOf(shown, this.isDifferential) : [];
+  }
+
+  /** Whether the robot is a disc. */
+  get isDisc() {
+    return this.page.session.shown?.document.robot.type === "disc";
+  }
+
+  /** Whether it turns on the spot and drives along its heading. */
+  get isDifferential() {
+    return this.isDisc && this.page.record.timing?.differential === true;
   }
 
   /** Those that were given. @returns {Given} */
@@ -68,7 +78,7 @@ export class Timing {
 
   /** Those that are used, as the package takes them. */
   get used() {
-    return usedLimits(this.limits, this.given);
+    return usedLimits(this.limits, this.given, this.isDifferential);
   }
 
   get pace() {

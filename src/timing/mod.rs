@@ -4,7 +4,7 @@
 //! rest to rest as fast as [`Limits`] allow, and rests in between only at corners without a blend, and where a car changes its
 //! direction. A disc with [`DifferentialLimits`] drives the corners without their blends, and turns on the spot at each. On
 //! straight edges and arcs the timing is optimal to 1.3e-7 of its duration; along a blend it is that of a grid of 139 intervals
-//! or more, and within 0.1 % of that of a much finer one.
+//! or more, and within 0.5 % of that of a much finer one.
 //!
 //! **Promise.** No limit is exceeded at any time: that is proven in closed form, interval by interval, and not at samples (see
 //! `proof`). [`verify()`] examines a trajectory by other code. Whether a path is free is decided by

@@ -88,8 +88,8 @@ pub struct TrajectoryVerification {
 #[wasm_bindgen]
 impl Scenario {
     /// The fastest trajectory along the path of a solved result within limits of speed and acceleration, from rest to rest. It
-    /// rests on the way at corners without a blend (`blend` of the planners rounds them), and where a car changes its direction. A
-    /// disc with the limit `differential` drives the corners without their blends.
+    /// rests on the way at corners without a blend (`blend` of the planners rounds them), and where a car changes its direction.
+    /// A disc with the limit `differential` drives the corners without their blends.
     /// No limit is exceeded at any time. The path is verified first, unless the option `verify` is `false`.
     /// @throws {PlanariumError} below `/limits`: `missing-field`, `unknown-field`, `wrong-type`, `out-of-range`, `not-finite`,
     /// `wrong-dimension`, `unsupported`; below `/result`: `invalid-result` if it belongs to another scenario, is not solved or

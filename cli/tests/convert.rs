@@ -233,7 +233,7 @@ fn a_differential_drive_has_a_heading() {
     assert_eq!(trajectory["limits"]["type"], json!("differential"));
     let verified = planarium("verify room.json convert-driven.json --trajectory convert-drive.json");
     assert_eq!((verified.code, &verified.json()["valid"]), (0, &json!(true)), "{}", verified.stderr);
-    let line = "convert room.json convert-driven.json --trajectory convert-drive.json --force --out convert-drive";
+    let line = "convert room.json convert-driven.json --trajectory convert-drive.json --force --out convert-rows";
     for (form, options) in [
         ("csv", "--dt 0.01"),
         ("json", ""),
@@ -246,7 +246,7 @@ fn a_differential_drive_has_a_heading() {
         let written = planarium(&format!("{line}.{form} --to {form} {options}"));
         assert_eq!(written.code, 0, "{form}: {}", written.stderr);
     }
-    let table = text_of("convert-drive.csv");
+    let table = text_of("convert-rows.csv");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("t_s,x_m,y_m,theta_rad,vx_m_s,vy_m_s,omega_rad_s"));
     let mut turning = 0;
@@ -259,7 +259,7 @@ fn a_differential_drive_has_a_heading() {
     }
     assert!(turning > 10, "{turning}");
     // What it drives is free, as the path is.
-    let verified = planarium("verify room.json convert-drive.csv");
+    let verified = planarium("verify room.json convert-rows.csv");
     assert_eq!(verified.code, 0, "{}", verified.stderr);
     for (options, code, pointer) in [
         ("--differential --speed 1 --acceleration 1", "missing-field", "/limits/turn_rate"),

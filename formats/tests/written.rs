@@ -153,7 +153,7 @@ fn a_disc_may_have_a_heading() {
     assert_eq!(lines[0], "t_s,x_m,y_m,theta_rad,vx_m_s,vy_m_s,omega_rad_s");
     assert_eq!(lines[2], "0.25,4500001.5,-1021.75,3.5,-0.5,-0.5,-0.5");
     let json: serde_json::Value = serde_json::from_str(&text(PathForm::Json)).expect("JSON");
-    assert_eq!(json["columns"]["theta"], serde_json::json!({"unit": "rad", "values": [3.0, 3.5, 2.0 * PI]}));
+    assert_eq!(json["columns"]["theta"], serde_json::json!({"unit": "rad", "values": [3, 3.5, 2.0 * PI]}));
     let points: serde_json::Value = serde_json::from_str(&text(PathForm::GeoJson)).expect("JSON");
     let headings = points["features"].as_array().expect("features").iter().map(|one| &one["properties"]["theta"]);
     assert_eq!(headings.skip(1).map(|theta| theta.as_f64()).collect::<Vec<_>>(), [3.0, 3.5, 2.0 * PI].map(Some));

@@ -157,7 +157,7 @@ export class Door {
         this.choices = FIRST;
         this.panel.reading(fresh.map(({ name }) => name));
       }
-    } else if (files !== this.files) return;
+    } else if (files !== this.files || choices !== this.choices) return; // It is read again.
     if (!this.panel.dialog.open) return;
     if ("fault" in answer) this.panel.fail(answer.fault);
     else this.show(answer);

@@ -177,12 +177,6 @@ export class Lane {
     return this.shown.driven?.steering ?? (this.shown.hand ? 0 : (this.playback?.steering ?? 0));
   }
 
-  /** The heading of a disc that is timed as one that turns, radians; null of others. */
-  get heading() {
-    const { playback } = this;
-    return this.shown.hand || !playback?.timed ? null : playback.timed.heading(playback.at);
-  }
-
   /** Makes the playback of a run that has ended. @returns {boolean} whether it is new */
   arrive() {
     const { run } = this;

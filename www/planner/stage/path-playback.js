@@ -7,9 +7,10 @@ import { blendedPath } from "planarium/draw";
 import { rowsOf, sizeOf, turnsAlong } from "../../domain/coordinates.js";
 import { firstIndex } from "../../domain/search.js";
 
+/** @import { View } from "planarium/draw" */
 /** @import { Placed } from "./placed.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
-/** @import { Check, ResultDocument, Scenario } from "../../domain/types.js" */
+/** @import { Check, Part, ResultDocument, Scenario } from "../../domain/types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
 /**
  * @typedef {object} Timed   when the robot is where on a path
@@ -17,7 +18,8 @@ import { firstIndex } from "../../domain/search.js";
  * @property {number} pace     seconds of the robot in one that passes
  * @property {(part: number) => Float64Array} pose   at a part of the period, 0 to 1
  * @property {(part: number) => number} steering     of a car, radians
- * @property {(part: number) => number | null} heading   of a disc that has one, radians
+ * @property {(part: number, context: CanvasRenderingContext2D, view: View, shape: Part, colour: string) => void} drawHeading
+ *   of a disc that has one
  */
 /**
  * @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the

@@ -4,7 +4,6 @@ import { drawBase, drawGround } from "../../draw/ground.js";
 import { drawInformed } from "./informed.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
-import { setStroke } from "../../draw/marks.js";
 import { drawGhost, drawMargin, drawTarget } from "../../draw/shapes.js";
 import { drawTouched, drawTouching } from "../../draw/touching.js";
 
@@ -13,9 +12,6 @@ import { drawTouched, drawTouching } from "../../draw/touching.js";
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Brush } from "../../draw/touching.js" */
 /** @import { Check, Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
-
-/** The least radius of a disc as it is drawn, CSS pixels. */
-const LEAST = 4;
 
 export class Workspace extends Pane {
   /** @param {Lane} lane @param {number} width @param {number} height @override */
@@ -112,8 +108,8 @@ export class Workspace extends Pane {
       drawRobot(context, view, parts, palette, document.robot.margin),
     );
     lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette.robotEdge, palette.robot);
-    const { heading } = lane;
-    if (heading !== null && parts[0].type === "disc") drawHeading(context, view, parts[0], heading, palette.robotEdge);
+    const { playback } = lane;
+    if (!lane.shown.hand) playback?.timed?.drawHeading(playback.at, context, view, parts[0], palette.robotEdge);
   }
 
   /**
@@ -163,21 +159,4 @@ export class Workspace extends Pane {
     const { view, palette } = this;
     return view && palette && { context, view, palette, onPart: this.hatchOnPart, onObstacle: this.hatchOnObstacle };
   }
-}
-
-/**
- * The heading of a disc: a line from its middle to its edge.
- * @param {CanvasRenderingContext2D} context
- * @param {View} view
- * @param {Part & { type: "disc" }} part
- * @param {number} heading   radians
- * @param {string} colour
- */
-function drawHeading(context, view, { center: [x, y], radius }, heading, colour) {
-  const reach = Math.max(radius, LEAST / view.scaleX);
-  setStroke(context, colour, 2);
-  context.beginPath();
-  context.moveTo(...view.place([x, y]));
-  context.lineTo(...view.place([x + reach * Math.cos(heading), y + reach * Math.sin(heading)]));
-  context.stroke();
 }

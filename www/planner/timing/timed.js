@@ -3,8 +3,10 @@
  * acceleration is constant that is the trajectory itself, and elsewhere it is far nearer to it than a pixel.
  */
 import { wrap } from "planarium/draw";
+import { setStroke } from "../../draw/marks.js";
 
-/** @import { Scenario } from "../../domain/types.js" */
+/** @import { View } from "planarium/draw" */
+/** @import { Part, Scenario } from "../../domain/types.js" */
 /** @import { Timing } from "../../paths/timing.js" */
 
 /**
@@ -12,6 +14,8 @@ import { wrap } from "planarium/draw";
  * @typedef {{ time: number, pose: Float64Array, velocity: Float64Array, acceleration: Float64Array }} State
  */
 
+/** The least radius of a disc as it is drawn, CSS pixels. */
+const LEAST = 4;
 /** Speeds below this are rest, metres a second. */
 const REST = 1e-9;
 
@@ -85,6 +89,24 @@ export class Timed {
   /** The heading of a disc that has one, radians; null of others. @param {number} part  0 to 1, of the period */
   heading(part) {
     return this.dimension > this.circles.length ? this.state(part * this.period).pose[this.circles.length] : null;
+  }
+
+  /**
+   * Draws the heading of a disc that has one: a line from its middle to its edge.
+   * @param {number} part  0 to 1, of the period
+   * @param {CanvasRenderingContext2D} context @param {View} view
+   * @param {Part} shape   of the robot @param {string} colour
+   */
+  drawHeading(part, context, view, shape, colour) {
+    const heading = this.heading(part);
+    if (heading === null || shape.type !== "disc") return;
+    const [x, y] = shape.center;
+    const reach = Math.max(shape.radius, LEAST / view.scaleX);
+    setStroke(context, colour, 2);
+    context.beginPath();
+    context.moveTo(...view.place([x, y]));
+    context.lineTo(...view.place([x + reach * Math.cos(heading), y + reach * Math.sin(heading)]));
+    context.stroke();
   }
 
   /** The steering angle of a car, radians. @param {number} part  0 to 1, of the period */

@@ -35,7 +35,7 @@ impl LimitOptions {
         let is_car = matches!(robot, Robot::Car(_));
         let limits = match (&speed[..], &acceleration[..]) {
             _ if differential => {
-                refuse(robot, "differential", Some(()).filter(|()| !matches!(robot, Robot::Disc(_))))?;
+                refuse(robot, "differential", (!matches!(robot, Robot::Disc(_))).then_some(()))?;
                 refuse(robot, "lateral_acceleration", lateral_acceleration)?;
                 Limits::Differential(DifferentialLimits {
                     speed: one("speed", speed)?,

@@ -38,9 +38,10 @@ async function open(page, files) {
   if (kind === "document") {
     await page.open({ document: new TextDecoder().decode(first.bytes) });
   } else if (kind === "array") {
-    const { holdsCells, holdsTimes, openArray } = await import("./export/arrays.js");
-    if (page.facts && hasSite() && holdsTimes(page.facts, first.bytes)) await judgePath(page, first);
-    else if (page.facts && holdsCells(page.facts, first.bytes)) await openWorld(page, contents);
+    const { arrayKind, openArray } = await import("./export/arrays.js");
+    const held = page.facts && arrayKind(page.facts, first.bytes);
+    if (held === "path" && hasSite()) await judgePath(page, first);
+    else if (held === "cells") await openWorld(page, contents);
     else await openArray(page, first.name, first.bytes, hasSite() ? () => judgePath(page, first) : null);
   } else await openWorld(page, contents);
 }

@@ -98,9 +98,9 @@ pub struct WriteOptions {
 ///
 /// # Errors
 /// `truncated` if there is no row; `wrong-columns` for a row, a time or a velocity with other numbers than the robot has
-/// coordinates, of a disc with its heading as the first row has it; `invalid-number` for one that is not finite, and for a time that a stamp of ROS cannot hold; `world-too-large` for
-/// more than [`MAX_WAYPOINTS`] rows; `invalid-option` for a form that an arm has not, and for a name of a frame that is empty or
-/// has no use.
+/// coordinates, of a disc with its heading as the first row has it; `invalid-number` for one that is not finite, and for a time
+/// that a stamp of ROS cannot hold; `world-too-large` for more than [`MAX_WAYPOINTS`] rows;
+/// `invalid-option` for a form that an arm has not, and for a name of a frame that is empty or has no use.
 ///
 /// # Complexity
 /// Linear in the rows; of a drawing, also in the vertices of the obstacles.

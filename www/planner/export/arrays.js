@@ -28,26 +28,17 @@ const MOST = 20_000;
 let line;
 
 /**
- * Whether an array is a grid of cells: it has two dimensions, but neither two columns, for points, nor as many as
- * configurations have numbers.
+ * What an array holds: a grid of cells, if it has two dimensions, but neither two columns, for points, nor as many as
+ * configurations have numbers; with one column more and other numbers than cells it is a path with times.
  * @param {{ dimension: number }} facts
  * @param {Uint8Array} bytes
+ * @returns {"cells" | "path" | "points"}
  */
-export function holdsCells(facts, bytes) {
-  const { dimension } = facts;
-  const shape = numericShape(bytes);
-  return shape?.length === 2 && shape[0] > 0 && shape[1] > 2 && shape[1] !== dimension && !holdsTimes(facts, bytes);
-}
-
-/**
- * Whether an array is a path with times: a column more than configurations have numbers, and other numbers than cells.
- * @param {{ dimension: number }} facts
- * @param {Uint8Array} bytes
- */
-export function holdsTimes({ dimension }, bytes) {
-  if (numericShape(bytes)?.[1] !== dimension + 1) return false;
-  const { shape, data } = readNpy(bytes);
-  return shape.length === 2 && data.some((number) => ![-1, 0, 1].includes(number));
+export function arrayKind({ dimension }, bytes) {
+  const { shape, data } = numbersOf(bytes) ?? { shape: [], data: [] };
+  const [count, width] = shape;
+  if (shape.length !== 2 || count === 0 || width <= 2 || width === dimension) return "points";
+  return width === dimension + 1 && data.some((number) => ![-1, 0, 1].includes(number)) ? "path" : "cells";
 }
 
 /**
@@ -60,7 +51,7 @@ export async function openArray(page, name, bytes, judge = null) {
   const { facts } = page;
   if (!facts) throw Object.assign(new Error("No scene is open."), { code: "no-scene" });
   const { dimension } = facts;
-  const shape = numericShape(bytes);
+  const shape = numbersOf(bytes)?.shape;
   const isRows = shape?.length === 2 && shape[1] === dimension && shape[0] > 0;
   const isPolygons = !shape || ((shape.length === 2 || shape.length === 3) && shape.at(-1) === 2);
   if (!isRows && !isPolygons) {
@@ -114,14 +105,13 @@ function maybePolygons(bytes) {
 }
 
 /**
- * The shape of an array of numbers, or null for objects.
+ * An array of numbers, or null for objects.
  * @param {Uint8Array} bytes
- * @returns {number[] | null}
  * @throws {NpyError}
  */
-function numericShape(bytes) {
+function numbersOf(bytes) {
   const isObjects = /["']descr["']\s*:\s*["']\|O/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 512)));
-  return isObjects ? null : readNpy(bytes).shape;
+  return isObjects ? null : readNpy(bytes);
 }
 
 /**

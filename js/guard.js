@@ -18,6 +18,7 @@ const SOURCES = {
   Planner: "the methods planner and resume of a Scenario or a Problem, or planner and straightPlanner of a Navigation",
   Reach: "scenario.reach(options)",
   Trajectory: "scenario.time(result, limits) or scenario.trajectory(document)",
+  ShortestPaths: "scenario.shortestPaths()",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",
   Drive: "scenario.drive(q)",

@@ -3,7 +3,7 @@
 use crate::common::documents::{disc, judged, polygon, rectangle, refuses, scenario};
 use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, seeds};
 use planarium::geometry::{Point, Polygon, Vector, orientation};
-use planarium::optimum::{Method, MetricOptions, Optimum, optimum};
+use planarium::optimum::{Method, MetricOptions, Optimum, ShortestPaths, by_all_tangents, optimum};
 use planarium::options::Options;
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
@@ -296,6 +296,93 @@ fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
     assert_eq!((found.length, found.exact, found.path.len()), (None, false, 0));
 }
 
+/// Polygons, discs and walls, of which many overlap.
+fn jumble(random: &mut Random, seed: u64) -> Vec<String> {
+    let place = |random: &mut Random| [0, 1].map(|_| 2.0 + 6.0 * random.uniform());
+    let mut obstacles: Vec<_> = (0..1 + seed % 9).map(|i| obstacle(&about(random, 1.5, i % 2 == 0))).collect();
+    if seed.is_multiple_of(3) {
+        obstacles.extend((0..2).map(|_| disc(place(random), 0.3 + random.uniform())));
+    }
+    if seed.is_multiple_of(5) {
+        let width = 0.1 * (seed % 2) as f64;
+        let points = [place(random), place(random), [5.0, 5.0]];
+        obstacles.push(format!(r#"{{"type": "wall", "points": {points:?}, "width": {width:?}}}"#));
+    }
+    obstacles
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_search_finds_what_all_tangents_give() {
+    for seed in 0..cases(1000) as u64 {
+        let mut random = Random::new(seed, Stream::Samples);
+        let obstacles = jumble(&mut random, seed);
+        let radius = if seed % 2 == 0 { 0.0 } else { 0.05 + 0.4 * random.uniform() };
+        let world = room(ROOM, &obstacles, radius, [[0.6; 2], [9.4; 2]]);
+        let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
+        let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
+        for ends in [[[0.6; 2], [9.4; 2]], [[9.4; 2], [0.6; 2]]] {
+            let found = paths.query(ends[0], ends[1]).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(found.is_some(), expected.is_some(), "seed {seed}");
+            if let Some((found, expected)) = found.zip(expected) {
+                assert_close(found.length, expected, 10.0);
+                assert_eq!([found.path[0], found.path[found.path.len() - 1]], ends);
+            }
+        }
+    }
+}
+
+/// Squares of a grid that share sides, and others that only touch at corners: as cells of a map.
+#[wasm_bindgen_test(unsupported = test)]
+fn cells_of_a_map_are_one_obstacle() {
+    for seed in 0..cases(40) as u64 {
+        let mut random = Random::new(seed, Stream::Samples);
+        let cell = |i: u64| {
+            let [x, y] = [i % 10, i / 10].map(|x| x as f64);
+            rectangle([x, y], [x + 1.0, y + 1.0])
+        };
+        let is_end = |i: u64| [0, 1, 10, 11, 88, 89, 98, 99].contains(&i);
+        let cells: Vec<u64> = (0..100).filter(|&i| random.uniform() < 0.35 && !is_end(i)).collect();
+        let obstacles: Vec<_> = cells.iter().map(|&i| cell(i)).collect();
+        let radius = [0.0, 0.1, 0.4, 0.5][seed as usize % 4];
+        let world = room(ROOM, &obstacles, radius, [[0.5; 2], [9.5; 2]]);
+        let found = of(&world).length;
+        let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(found.is_some(), expected.is_some(), "seed {seed}");
+        if let Some((found, expected)) = found.zip(expected) {
+            assert_close(found, expected, 10.0);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn ten_thousand_corners_are_prepared_once() {
+    // Squares in 50 rows of 50, each turned and moved a little.
+    let mut random = Random::new(1, Stream::Samples);
+    let mut square = |i: u32| {
+        let center = [i % 50, i / 50].map(|x| 2.0 * f64::from(x) + 1.0 + 0.3 * random.uniform());
+        let turn = TAU * random.uniform();
+        let corner = |k: i32| {
+            let angle = turn + 0.5 * PI * f64::from(k);
+            [center[0] + 0.6 * libm::cos(angle), center[1] + 0.6 * libm::sin(angle)]
+        };
+        polygon(&[0, 1, 2, 3].map(corner))
+    };
+    let squares: Vec<_> = (0..2500).map(&mut square).collect();
+    let world = room("[0, 0], [101, 101]", &squares, 0.1, [[0.11; 2], [100.8; 2]]);
+    let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
+    let length =
+        |a: [f64; 2], b: [f64; 2]| paths.query(a, b).unwrap_or_else(|error| panic!("{error}")).expect("a path").length;
+    let places = [[0.11, 0.11], [100.8, 100.8], [100.8, 0.11], [0.11, 100.8]];
+    for (i, &a) in places.iter().enumerate() {
+        for &b in &places[..i] {
+            assert_close(length(a, b), length(b, a), 101.0);
+            let straight = Vector::new(a[0] - b[0], a[1] - b[1]).norm();
+            assert!(straight <= length(a, b) && length(a, b) < 1.1 * straight);
+        }
+    }
+    assert!(length(places[0], places[1]) <= length(places[0], places[2]) + length(places[2], places[1]) + 1e-9);
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn a_thousand_corners_are_compared() {
     // In the way stands one square; the others stand aside, some of them aligned and in contact.
@@ -314,6 +401,10 @@ fn what_has_no_optimum_is_refused() {
     // A point that is free by an exact test, but nearer than rounding.
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");
-    let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
-    refuses(optimum(room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, MetricOptions::default()), "too-large", "");
+    let paths = ShortestPaths::new(room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.5, [[1.0; 2], [9.0; 2]]))
+        .unwrap_or_else(|error| panic!("{error}"));
+    refuses(paths.query([5.0; 2], [9.0; 2]), "start-in-collision", "/start");
+    refuses(paths.query([1.0; 2], [9.6, 9.0]), "goal-in-collision", "/goal");
+    refuses(paths.query([1.0; 2], [f64::NAN, 9.0]), "not-finite", "/goal");
+    refuses(ShortestPaths::new(arm_and_wall(0.1)).map(|_| ()), "unsupported", "/robot");
 }

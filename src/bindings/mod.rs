@@ -52,6 +52,7 @@ mod problem;
 mod reach;
 mod records;
 mod scenario;
+mod shortest_paths;
 mod subdivision;
 #[cfg(feature = "full")]
 mod timing;

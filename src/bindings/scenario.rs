@@ -7,7 +7,7 @@ use super::types::{
     JsNumber, JsPair, JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ResumeOptions,
     RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
 };
-use super::{drive, neighbours, planner, subdivision};
+use super::{drive, neighbours, planner, shortest_paths, subdivision};
 use crate::Error;
 use crate::certificate;
 use crate::driving;
@@ -200,13 +200,19 @@ impl Scenario {
     /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body
     /// whose query keeps its angle, a reference, which is the length of a proven path on a fine grid.
     /// @throws {PlanariumError} `unsupported` for other robots and for a query with a target; `unknown-query`,
-    /// `unknown-parameter`, `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than
-    /// 4000 convex corners and discs, or 2,000,000 free tangents between them
+    /// `unknown-parameter`, `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`
     pub fn optimum(&self, options: Option<OptimumOptions>) -> Result<Ts<Optimum>, Error> {
         let mut fields = fields(options)?;
         let query: Option<String> = fields.take("query")?;
         let metric = Options::read(&fields.parameters())?;
         optimum::optimum(&self.world, query.as_deref(), metric).map(|optimum| record(&optimum))
+    }
+
+    /// The world of a disc or a point, prepared for the shortest paths between any two positions. It outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for another robot
+    #[wasm_bindgen(js_name = shortestPaths)]
+    pub fn shortest_paths(&self) -> Result<shortest_paths::ShortestPaths, Error> {
+        optimum::ShortestPaths::new(&self.world).map(shortest_paths::ShortestPaths)
     }
 
     /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query

@@ -46,6 +46,7 @@ plain! {
     Booleans = "boolean[]",
     JsBox = "Box",
     JsVerdictOrNull = "CertificateVerdict | null",
+    JsShortestOrNull = "Shortest | null",
 }
 
 #[cfg(feature = "full")]

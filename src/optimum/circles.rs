@@ -20,7 +20,8 @@ impl Turn {
         if self == Self::Left { Self::Right } else { Self::Left }
     }
 
-    fn sign(self) -> f64 {
+    /// On which side of the path the centre of the circle is: 1 on the left, -1 on the right.
+    pub fn sign(self) -> f64 {
         if self == Self::Left { 1.0 } else { -1.0 }
     }
 }
@@ -40,7 +41,7 @@ impl Circle {
     }
 
     /// Whether the arc of the border, if it is that of a corner alone, contains the direction, or nearly so.
-    fn has_side(&self, side: &Vector) -> bool {
+    pub fn has_side(&self, side: &Vector) -> bool {
         self.normals.is_none_or(|[before, after]| {
             before.perp(side) >= -SIDE
                 && side.perp(&after) >= -SIDE
@@ -54,6 +55,9 @@ pub(super) fn at(disc: &Disc, angle: f64) -> Point {
     let (sin, cos) = libm::sincos(angle);
     disc.center + disc.radius * Vector::new(cos, sin)
 }
+
+/// A shortest path: its length, and its points, where arcs are replaced by chords.
+pub(super) type Path = (f64, Vec<Point>);
 
 /// The part of a line between the points where it touches two circles.
 #[derive(Debug, Clone, Copy)]
@@ -96,9 +100,9 @@ pub(super) fn crossings_disc(circle: &Disc, other: &Disc, found: &mut Vec<f64>) 
     crossings(&between, cos, found);
 }
 
-/// The angles at which the circle crosses the line of all points x with `normal` x = `height`; the normal has length 1.
+/// The angles at which the circle crosses the line of all points x with `normal` (x - centre) = `height`; the normal has length 1.
 pub(super) fn crossings_line(circle: &Disc, normal: &Vector, height: f64, found: &mut Vec<f64>) {
-    crossings(normal, (height - normal.dot(&circle.center.coords)) / circle.radius, found);
+    crossings(normal, height / circle.radius, found);
 }
 
 /// The two angles whose directions have the given cosine with an axis.
@@ -111,12 +115,12 @@ fn crossings(axis: &Vector, cos: f64, found: &mut Vec<f64>) {
 }
 
 /// The angle of a direction, in [0, 2 pi).
-fn angle_of(direction: &Vector) -> f64 {
+pub(super) fn angle_of(direction: &Vector) -> f64 {
     turned(libm::atan2(direction.y, direction.x))
 }
 
 /// An angle of at most a turn to either side in [0, 2 pi).
-fn turned(angle: f64) -> f64 {
+pub(super) fn turned(angle: f64) -> f64 {
     if angle < 0.0 {
         (angle + TAU).min(TAU.next_down())
     } else if angle >= TAU {

@@ -2,14 +2,25 @@
 //!
 //! | robot | method |
 //! |---|---|
-//! | a disc or a point | the tangent graph, exact (`tangent_graph.rs`, `circles.rs`) |
+//! | a disc or a point | the tangent graph, exact, as far as a search needs it (`polyanya.rs`) |
 //! | an arm of two joints | a fine grid over the two joints, then shortcuts and finer grids around corners (`grid.rs`) |
 //! | a rigid body whose query keeps its angle | the same over x and y, without turns |
 //!
 //! Other robots have none.
+//!
+//! Of the exact method: `circles.rs` are the circles that a path turns around and their tangents, `grown.rs` is the world as the
+//! disc's centre sees it, `arcs.rs` has the free arcs of the circles, `mesh.rs` the navigation mesh, `dead_ends.rs`
+//! what of it no path enters, `rays.rs` what a search pushes through it. `tangent_graph.rs` compares
+//! all pairs of circles: slower and simpler, it is the oracle of the tests.
 
+mod arcs;
 mod circles;
+mod dead_ends;
 mod grid;
+mod grown;
+mod mesh;
+mod polyanya;
+mod rays;
 mod tangent_graph;
 
 pub use crate::planner::MetricOptions;
@@ -21,6 +32,7 @@ use crate::problem::Problem;
 use crate::scenario::{Query, Robot};
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
+use polyanya::Prepared;
 use serde::Serialize;
 
 /// The tolerance of the proofs of a reference, as a fraction of the world's longer side: finer than that of runs.
@@ -31,7 +43,7 @@ const TOLERANCE: f64 = 1e-6;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Method {
-    /// The tangent graph: the infimum of the lengths of all free paths.
+    /// A search of the tangent graph: the infimum of the lengths of all free paths.
     TangentGraph,
     /// A grid and shortcuts: the length of a path that is proven free. A shorter one may exist.
     Grid,
@@ -71,13 +83,12 @@ pub struct Optimum {
 
 /// The shortest path of a query of the scenario, of the first one if none is named, in a metric of the robot.
 ///
-/// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in some million proofs of motions to a neighbour
-/// on a grid at most, and some thousand shortcuts.
+/// Exact for a disc: see [`ShortestPaths`], which is prepared once for many queries. Else a reference, in some million proofs of
+/// motions to a neighbour on a grid at most, and some thousand shortcuts.
 ///
 /// # Errors
 /// `unknown-query`; `out-of-range` for a metric of other robots (pointer `/metric`); `unsupported` for a car, an arm without
-/// exactly two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for
-/// more than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
+/// exactly two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`.
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,
@@ -108,18 +119,87 @@ pub fn optimum(
     };
     if let Robot::Disc(disc) = world.robot() {
         let ends = [start, goal].map(|q| Point::new(q[0], q[1]));
-        let bounds = *world.bounds();
-        let shortest =
-            tangent_graph::shortest(world.scenario().world(), bounds, disc.kept_radius(), ends).map_err(at_query)?;
+        let prepared = Prepared::new(world.scenario().world(), *world.bounds(), disc.kept_radius());
+        let shortest = prepared.shortest(ends).map_err(at_query)?;
         let (length, points) = shortest.unzip();
         let path = points.unwrap_or_default().iter().map(|p| vec![p.x, p.y]).collect();
-        let slack = Some(tangent_graph::larger(world.scenario().world(), &bounds, disc.kept_radius()));
+        let slack = Some(prepared.grown.larger);
         return Ok(Optimum { slack, ..found(Method::TangentGraph, length, path) });
     }
     let path = grid::reference(&problem).unwrap_or_default();
     let along = (!path.is_empty()).then(|| length(&space, &path));
     let rows = split(&space, &path).iter().map(|state| space.coordinates(state).to_vec()).collect();
     Ok(found(Method::Grid, along, rows))
+}
+
+/// The shortest paths of a disc, or of a point, between any two positions of a world, which is prepared once: exact.
+///
+/// The preparation takes O(n log n) for n corners, walls and discs, as a rule; a query looks at what lies near its path (Cui, Harabor
+/// and Grastien 2017, "Compromise-free pathfinding on a navigation mesh", for a disc whose paths turn around circles).
+///
+/// # Example
+/// Around a square:
+///
+/// ```
+/// use planarium::geometry::{Aabb, Point};
+/// use planarium::optimum::ShortestPaths;
+/// use planarium::robot::DiscRobot;
+/// use planarium::scenario::{Obstacle, Query, Scenario, World};
+///
+/// let corners = [[4.0, 0.0], [6.0, 0.0], [6.0, 6.0], [4.0, 6.0]].map(|[x, y]| Point::new(x, y));
+/// let world = World::new(Some(Aabb::of(Point::new(0.0, 0.0), Point::new(10.0, 10.0))), [Obstacle::polygon(&corners)?]);
+/// let paths = ShortestPaths::new(&Scenario::new("square", world, DiscRobot::new(0.0)?, [])?)?;
+/// let shortest = paths.query([1.0, 2.0], [9.0, 2.0])?.expect("a path");
+/// assert!((shortest.length - 12.0).abs() < 1e-9);
+/// assert_eq!(shortest.path.len(), 4);
+/// # Ok::<(), planarium::Error>(())
+/// ```
+pub struct ShortestPaths {
+    prepared: Prepared,
+}
+
+/// The shortest path between two positions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[non_exhaustive]
+pub struct Shortest {
+    /// The length, in metres: the infimum of the lengths of all free paths.
+    pub length: f64,
+    /// Positions from the start to the goal, in metres. The path touches obstacles, and its arcs are replaced by chords of at most
+    /// 0.05 radians.
+    pub path: Vec<[f64; 2]>,
+}
+
+impl ShortestPaths {
+    /// Prepares the world of a scenario for its disc.
+    ///
+    /// # Errors
+    /// `unsupported` for other robots.
+    pub fn new(scenario: impl Into<PlanningWorld>) -> Result<Self, Error> {
+        let world = scenario.into();
+        let Robot::Disc(disc) = world.robot() else {
+            return Err(Error::new(Code::Unsupported, "/robot", "shortest paths are prepared for discs alone"));
+        };
+        Ok(Self { prepared: Prepared::new(world.scenario().world(), *world.bounds(), disc.kept_radius()) })
+    }
+
+    /// The shortest path between two positions, in metres; `None` if there is none.
+    ///
+    /// # Errors
+    /// `not-finite`; `start-in-collision`, `goal-in-collision`, also outside the bounds.
+    pub fn query(&self, start: [f64; 2], goal: [f64; 2]) -> Result<Option<Shortest>, Error> {
+        for (position, pointer) in [(start, "/start"), (goal, "/goal")] {
+            if let Some(x) = position.iter().find(|x| !x.is_finite()) {
+                return Err(Error::new(Code::NotFinite, pointer, format!("a coordinate is {x}")));
+            }
+        }
+        let found = self.prepared.shortest([start, goal].map(|[x, y]| Point::new(x, y)))?;
+        let shortest = |(length, points): (f64, Vec<Point>)| {
+            let path = points.iter().map(|p| [p.x, p.y]).collect();
+            Shortest { length, path }
+        };
+        Ok(found.map(shortest))
+    }
 }
 
 /// Refuses a robot whose configurations have more than two coordinates that change.
@@ -136,4 +216,23 @@ fn refuse_others(robot: &Robot, query: &Query) -> Result<(), Error> {
     };
     let served = "discs, arms of two joints, and rigid bodies that keep their angle, from a start to a goal";
     Err(Error::new(Code::Unsupported, "", format!("the shortest path of {why} is not known; served are {served}")))
+}
+
+/// The length of the shortest path of a disc by comparing all pairs of circles: slower and simpler, the oracle of the tests.
+///
+/// # Errors
+/// As [`optimum`]; `too-large` for more than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
+#[doc(hidden)]
+pub fn by_all_tangents(scenario: impl Into<PlanningWorld>, query: Option<&str>) -> Result<Option<f64>, Error> {
+    let world = scenario.into();
+    let (_, query) = world.scenario().find_query(query)?;
+    refuse_others(world.robot(), query)?;
+    let Robot::Disc(disc) = world.robot() else {
+        return Err(Error::new(Code::Unsupported, "", "tangents are compared for discs alone"));
+    };
+    let goal = query.configuration().expect("a query with a target was refused");
+    let ends = [&query.start[..], goal].map(|q| Point::new(q[0], q[1]));
+    let grown = grown::Grown::new(world.scenario().world(), *world.bounds(), disc.kept_radius());
+    grown.check(ends)?;
+    Ok(tangent_graph::shortest(&grown, ends)?.map(|(length, _)| length))
 }

@@ -7,28 +7,14 @@
 //! The graph has two vertices for each end of a tangent, one for either direction in which its circle is passed, and is searched
 //! by Dijkstra's algorithm.
 //!
-//! # Rounding
-//! The infimum is the length of a path that touches obstacles, and between two obstacles that touch each other there is no way.
-//! So all is computed for a disc that is larger by [`LARGER`] of the slack of a proof, and whatever comes nearer to an obstacle
-//! by less than [`ROUNDING`] of that still counts as free. By the envelope theorem the length of a shortest path grows with the
-//! radius of an arc at the rate of its angle, so with arcs measured at their true radius the error is of second order.
-//!
-//! O(n^2) tangents for n corners and discs, a query of the box tree each.
+//! Rounding is that of `grown.rs`. O(n^2) tangents for n corners and discs, a query of the box tree each.
 
-use super::circles::{Circle, Tangent, Turn, along_arc, at, crossings_disc, crossings_line, tangent, turn_left};
-use crate::collision::{Obstacles, Tolerance};
-use crate::error::{Code, Error, Number};
-use crate::geometry::{Aabb, Disc, Point, Segment, Vector, orientation, sort_numbers};
+use super::circles::{Circle, Path, Tangent, Turn, along_arc, at, tangent, turn_left};
+use super::grown::Grown;
+use crate::error::{Code, Error};
+use crate::geometry::{Disc, Point, Segment, sort_numbers};
 use crate::graph::search::{BestFirst, Expansion, View, Walker};
 use crate::graph::{Adjacency, VertexId};
-use crate::scenario::{Obstacle, World};
-use std::sync::Arc;
-
-/// How much larger the disc is, in slacks of a proof.
-const LARGER: f64 = 1.0 / 16.0;
-
-/// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
-const ROUNDING: f64 = 0.25;
 
 /// Convex corners, points of walls and discs at most: every two of them are compared, which takes seconds.
 const MOST: usize = 4000;
@@ -38,109 +24,6 @@ const MOST_TANGENTS: usize = 2_000_000;
 
 /// The largest turn of one chord of an arc in the path, in radians.
 const CHORD: f64 = 0.05;
-
-/// The world as the centre of the disc sees it.
-struct Grown {
-    obstacles: Obstacles,
-    bounds: Aabb,
-    radius: f64,
-    /// How much larger than its radius the disc is.
-    larger: f64,
-}
-
-impl Grown {
-    /// Whether the centre may move along the segment. Bounds are convex: both ends within them suffice.
-    fn is_free(&self, segment: &Segment) -> bool {
-        let radius = self.radius + self.larger;
-        let rounding = ROUNDING * self.larger;
-        let is_within = |p: Point| self.bounds.depth(p) >= self.radius - rounding;
-        let touches = |i| self.obstacles.distance_within(i, segment, radius) < radius - rounding;
-        is_within(segment.a) && is_within(segment.b) && !self.obstacles.any_near(&segment.aabb().grown(radius), touches)
-    }
-
-    /// The circles at the convex corners of all polygons, at all points of walls and around all discs.
-    fn circles(&self, shapes: &[Obstacle]) -> Vec<Circle> {
-        let radius = self.radius + self.larger;
-        let mut circles = Vec::new();
-        for shape in shapes {
-            match shape {
-                Obstacle::Disc(disc) => {
-                    let disc = Disc { radius: disc.radius + radius, ..*disc };
-                    circles.push(Circle { disc, normals: None });
-                }
-                Obstacle::Polygon(polygon) => circles.extend(corners(polygon.edges().collect(), radius)),
-                Obstacle::PolygonWithHoles(polygon) => {
-                    circles.extend(corners(polygon.outline().edges().collect(), radius));
-                    // The polygon is on the other side of the border of a hole.
-                    for hole in polygon.holes() {
-                        let reversed = |edge: Segment| Segment::new(edge.b, edge.a);
-                        let mut edges: Vec<Segment> = hole.edges().map(reversed).collect();
-                        edges.reverse();
-                        circles.extend(corners(edges, radius));
-                    }
-                }
-                Obstacle::Wall(wall) => {
-                    let radius = radius + wall.radius();
-                    let circle = |&center: &Point| Circle { disc: Disc { center, radius }, normals: None };
-                    circles.extend(wall.points().iter().map(circle));
-                }
-            }
-        }
-        circles
-    }
-
-    /// The angles at which a circle may become free or blocked, in any order.
-    fn crossings(&self, circle: &Disc, shapes: &[Obstacle]) -> Vec<f64> {
-        let mut found = Vec::new();
-        for (axis, sides) in [
-            (Vector::x(), [self.bounds.min.x, self.bounds.max.x]),
-            (Vector::y(), [self.bounds.min.y, self.bounds.max.y]),
-        ] {
-            crossings_line(circle, &axis, sides[0] + self.radius, &mut found);
-            crossings_line(circle, &axis, sides[1] - self.radius, &mut found);
-        }
-        let radius = self.radius + self.larger;
-        let near = circle.aabb().grown(radius);
-        self.obstacles.any_near(&near, |i| {
-            match &shapes[i] {
-                Obstacle::Disc(disc) => {
-                    let disc = Disc { radius: disc.radius + radius, ..*disc };
-                    crossings_disc(circle, &disc, &mut found);
-                }
-                shape => {
-                    let beyond = shape.edge_radius();
-                    shape.any_edge_near(&near.grown(beyond), |edge| {
-                        crossings_edge(circle, edge, radius + beyond, &mut found);
-                        false
-                    });
-                }
-            }
-            false
-        });
-        found
-    }
-}
-
-/// The circles at the convex corners of a closed chain of edges, with the inside on their left.
-fn corners(edges: Vec<Segment>, radius: f64) -> Vec<Circle> {
-    let before = edges.iter().cycle().skip(edges.len() - 1);
-    let corners = before.zip(&edges).filter(|(to, from)| orientation(to.a, from.a, from.b) > 0.0);
-    let circle = |(to, from): (&Segment, &Segment)| Circle {
-        disc: Disc { center: from.a, radius },
-        normals: Some([to.normal(), from.normal()]),
-    };
-    corners.map(circle).collect()
-}
-
-/// The angles at which the circle may cross the border of all within a distance of an edge.
-fn crossings_edge(circle: &Disc, edge: &Segment, radius: f64, found: &mut Vec<f64>) {
-    crossings_disc(circle, &Disc { center: edge.a, radius }, found);
-    crossings_disc(circle, &Disc { center: edge.b, radius }, found);
-    let normal = edge.normal();
-    let height = normal.dot(&edge.a.coords);
-    crossings_line(circle, &normal, height + radius, found);
-    crossings_line(circle, &normal, height - radius, found);
-}
 
 /// An end of a tangent on its circle.
 struct End {
@@ -163,10 +46,10 @@ const START: usize = 0;
 const GOAL: usize = 1;
 
 impl TangentGraph {
-    fn new(grown: &Grown, shapes: &[Obstacle], start: Point, goal: Point) -> Result<Self, Error> {
+    fn new(grown: &Grown, start: Point, goal: Point) -> Result<Self, Error> {
         let point = |center| Circle { disc: Disc { center, radius: 0.0 }, normals: None };
         let mut circles = vec![point(start), point(goal)];
-        circles.extend(grown.circles(shapes));
+        circles.extend(grown.circles());
         let count = circles.len() - 2;
         if count > MOST {
             let sentence = format!(
@@ -176,7 +59,7 @@ impl TangentGraph {
         }
         let mut graph = Self { circles, larger: grown.larger, ends: Vec::new(), edges: Vec::new() };
         graph.add_tangents(grown)?;
-        graph.add_arcs(grown, shapes);
+        graph.add_arcs(grown);
         Ok(graph)
     }
 
@@ -209,14 +92,14 @@ impl TangentGraph {
 
     /// The arcs between neighbouring ends of tangents: a piece between two neighbouring angles at which it may become free or
     /// blocked is free if its middle is.
-    fn add_arcs(&mut self, grown: &Grown, shapes: &[Obstacle]) {
+    fn add_arcs(&mut self, grown: &Grown) {
         let mut on_circle: Vec<Vec<usize>> = vec![Vec::new(); self.circles.len()];
         self.ends.iter().enumerate().for_each(|(end, at)| on_circle[at.circle].push(end));
         for (circle, ends) in on_circle.iter().enumerate().skip(GOAL + 1).filter(|(_, ends)| ends.len() > 1) {
             let circle = self.circles[circle];
             let mut stops: Vec<(f64, Option<usize>)> =
                 ends.iter().map(|&end| (self.ends[end].angle, Some(end))).collect();
-            stops.extend(grown.crossings(&circle.disc, shapes).into_iter().map(|angle| (angle, None)));
+            stops.extend(grown.crossings(&circle.disc).into_iter().map(|angle| (angle, None)));
             let mut order: Vec<u32> = (0..stops.len() as u32).collect();
             let by_angle = |i: usize, j: usize| stops[i].0.total_cmp(&stops[j].0).then(stops[i].1.cmp(&stops[j].1));
             sort_numbers(&mut order, &|i, j| by_angle(i, j).then(i.cmp(&j)));
@@ -300,39 +183,16 @@ impl TangentGraph {
     }
 }
 
-/// How much larger the disc is taken, in metres.
-pub(super) fn larger(world: &World, bounds: &Aabb, radius: f64) -> f64 {
-    let largest = |aabb: &Aabb| aabb.min.coords.amax().max(aabb.max.coords.amax());
-    let obstacles = world.obstacles.iter().map(|obstacle| largest(&obstacle.aabb()));
-    LARGER * Tolerance::new(obstacles.fold(largest(bounds), f64::max) + radius, 0.0).eta
-}
-
-/// The length of the shortest path of a disc between two positions, and its points: arcs are replaced by chords of at most 0.05
+/// The shortest path between two free positions: its length and its points, where arcs are replaced by chords of at most 0.05
 /// radians. `None` if there is no path. O(n^2 log n) for n convex corners and discs.
 ///
 /// # Errors
-/// `too-large` for more than 4000 of them, or more than 2,000,000 free tangents; `start-in-collision`,
-/// `goal-in-collision` if a position is nearer to an obstacle than rounding allows.
-pub(super) fn shortest(
-    world: &World,
-    bounds: Aabb,
-    radius: f64,
-    [start, goal]: [Point; 2],
-) -> Result<Option<(f64, Vec<Point>)>, Error> {
-    let obstacles = Obstacles::new(Arc::clone(&world.obstacles));
-    let grown = Grown { obstacles, bounds, radius, larger: larger(world, &bounds, radius) };
-    for (what, at, code) in [("start", start, Code::StartInCollision), ("goal", goal, Code::GoalInCollision)] {
-        if !grown.is_free(&Segment::new(at, at)) {
-            let least = Number(radius + grown.larger);
-            let sentence =
-                format!("the {what} [{}, {}] is nearer to an obstacle than {least} m", Number(at.x), Number(at.y));
-            return Err(Error::new(code, format!("/{what}"), sentence));
-        }
-    }
+/// `too-large` for more than 4000 of them, or more than 2,000,000 free tangents.
+pub(super) fn shortest(grown: &Grown, [start, goal]: [Point; 2]) -> Result<Option<Path>, Error> {
     if start == goal {
         return Ok(Some((0.0, vec![start])));
     }
-    let graph = TangentGraph::new(&grown, &world.obstacles, start, goal)?;
+    let graph = TangentGraph::new(grown, start, goal)?;
     let path = graph.search();
     if path.is_empty() {
         return Ok(None);

@@ -253,6 +253,14 @@ test("optimum returns a record: exact, or a reference", () => {
   // To the bit what the command line prints.
   const rings = Scenario.parse(readFileSync(new URL("../../www/scenes/rings.json", import.meta.url), "utf8"));
   assert.equal(rings.optimum().length, 13.543068005532522);
+  // A prepared world has the same answers.
+  const paths = scenario.shortestPaths();
+  assert.deepEqual(paths.query([2, 2], new Float64Array([8, 2])), { length, path });
+  assert.throws(() => paths.query([2], [8, 2]), { code: "wrong-dimension", pointer: "/start" });
+  assert.throws(() => paths.query([2, 2], [8, Infinity]), { code: "not-finite", pointer: "/goal/1" });
+  assert.throws(() => paths.query([2, 2], [80, 2]), { code: "goal-in-collision", pointer: "/goal" });
+  assert.throws(() => Scenario.parse(arm).shortestPaths(), { code: "unsupported" });
+  paths.free();
   const reference = Scenario.parse(arm).optimum({ metric: "euclidean" });
   assert.deepEqual([reference.method, reference.exact], ["grid", false]);
 });

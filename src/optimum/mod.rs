@@ -7,12 +7,16 @@
 //! | a rigid body whose query keeps its angle | the same over x and y, without turns |
 //!
 //! Other robots have none.
+//!
+//! Beside it, the widest disc that has a path (`widest/`).
 
 mod circles;
 mod grid;
 mod tangent_graph;
+mod widest;
 
 pub use crate::planner::MetricOptions;
+pub use widest::{Limit, Widest, widest};
 
 use crate::error::{Code, Error};
 use crate::geometry::{Point, wrap};

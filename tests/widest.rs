@@ -138,7 +138,7 @@ fn start_and_goal_limit() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn contacts_close() {
-    // Polygons that share a corner, a part of a side, or an area; that touch with a corner in a side; of coordinates that are rounded.
+    // Polygons that share a corner, a part of a side, or an area; a corner in a side; coordinates that are rounded.
     let squares = |x: f64, y: f64| [rectangle([0.0, 0.0], [x, y]), rectangle([x, y], [10.0, 10.0])];
     let corner = [[1.0, 9.0], [9.0, 1.0]];
     for [x, y] in [[5.0, 5.0], [0.1 + 0.2, 3.3], [6.1, 4.7]] {

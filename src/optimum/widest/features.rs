@@ -133,8 +133,8 @@ impl Features {
         self.visit(&mut visit, |_, aabb| aabb.intersects(near).then_some(0.0), |visit, core| visit(core));
     }
 
-    /// The point of any obstacle's border nearest to a point that is in none, how far it is, and the obstacle; `None` if there are
-    /// no obstacles. O(n).
+    /// The point of any obstacle's border nearest to a point that is in none: how far it is, the point, and the obstacle; `None`
+    /// if there are no obstacles. O(n).
     pub fn nearest(&self, p: Point) -> Option<(f64, Point, Touched)> {
         let of = |core: usize| {
             let y = nearest_on(&self.segment(core), p);

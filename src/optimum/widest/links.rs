@@ -191,8 +191,8 @@ struct Tip<'l, 'a> {
 impl Tip<'_, '_> {
     /// Whether all points of a box, relative to the tip, are excluded; their distances from the tip are in a range. In doubt not.
     ///
-    /// A point x at a distance d, by way of the border of the tip at the radius r on the same ray, is excluded by f if the angle at
-    /// f is obtuse: (f - r x / d) . (f - x) < 0, which is f . x > d (f . f + r d) / (r + d). The right side grows with d.
+    /// A point x at a distance d, and the point on the same ray at the radius r of the tip, are excluded by f if the angle at f
+    /// is obtuse: (f - r x / d) . (f - x) < 0, or f . x > d (f . f + r d) / (r + d). The right side grows with d.
     fn is_excluded(&self, low: Vector, high: Vector, [nearest, farthest]: [f64; 2]) -> bool {
         let least =
             |f: &Vector| f.x * if f.x > 0.0 { low.x } else { high.x } + f.y * if f.y > 0.0 { low.y } else { high.y };

@@ -1,19 +1,20 @@
 //! How wide a robot may be: the widest disc that passes from the start to the goal of a query, exact.
 //!
-//! All points within a distance r of an obstacle or of what is outside the bounds separate start and goal if, and only if, they
+//! All points within a distance r of an obstacle, or of what is outside the bounds, separate start and goal if, and only if, they
 //! contain a closed curve that crosses the segment from start to goal an odd number of times. As r grows, borders that were apart
 //! come into contact: half the length of the segment between them is the r at which they do. So these segments are added in
 //! ascending order (`links.rs`), and with each place that is connected goes the parity of the crossings on the way to it
-//! (`parity.rs`), until one closes an odd curve: it is the bottleneck. Until r is the clearance of the start or the goal, that is.
+//! (`parity.rs`), until one closes an odd curve: it is the bottleneck. If none does before r is the clearance of the start or the
+//! goal, that is the limit.
 //!
-//! That the segments suffice: borders are a union of segments, points and discs (`features.rs`), all convex, and so are all points
-//! within r of each. A union of convex sets has the closed curves of the graph in which those are joined that share a point (the
-//! nerve theorem), but for those that bound three with a common point.
+//! That the segments suffice: borders are a union of segments, points and discs (`features.rs`), all convex, and so are all
+//! points within r of each. A union of convex sets has the closed curves of the graph in which those are joined that share a
+//! point (the nerve theorem), but for those around three with a common point, which enclose nothing.
 //!
 //! Sources: Kruskal 1956, "On the shortest spanning subtree of a graph and the traveling salesman problem" (edges in ascending
-//! order); Ó'Dúnlaing and Yap 1985, "A 'retraction' method for planning the motion of a disc" (the critical clearances of a disc
-//! are half the distances of two obstacles); Gabriel and Sokal 1969, "A new statistical approach to geographic variation analysis"
-//! (which pairs matter).
+//! order); Ó'Dúnlaing and Yap 1985, "A 'retraction' method for planning the motion of a disc" (clearances are critical midway
+//! between two obstacles); Gabriel and Sokal 1969, "A new statistical approach to geographic variation analysis" (which pairs
+//! matter).
 
 mod features;
 mod links;
@@ -57,8 +58,8 @@ pub struct Widest {
     pub radius: Option<f64>,
     /// What keeps wider discs from passing.
     pub limit: Limit,
-    /// The ends of the narrowest gap, `[x, y]` each; or the start or the goal, and the point that is nearest to it. Null if not even
-    /// a point passes.
+    /// The ends of the narrowest gap, `[x, y]` each; or the start or the goal, and the point that is nearest to it. Null if not
+    /// even a point passes.
     pub bottleneck: Option<[[f64; 2]; 2]>,
     /// The index of the obstacle at each end of the gap, or `bounds`; of the start or the goal, of what is nearest to it. Empty
     /// if there is no `bottleneck`.
@@ -67,8 +68,8 @@ pub struct Widest {
     pub slack: f64,
 }
 
-/// The widest disc that passes from the start to the goal of a query of the scenario, of the first one if none is named. Radius and
-/// margin of the scenario's robot do not matter. Contact with an obstacle is collision, bounds may be touched.
+/// The widest disc that passes from the start to the goal of a query of the scenario, of the first one if none is named. Radius
+/// and margin of the scenario's robot do not matter. Contact with an obstacle is collision, bounds may be touched.
 ///
 /// O(n log n) for n corners, points of walls and discs of usual worlds; at worst every two of them are compared.
 ///

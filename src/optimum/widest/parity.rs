@@ -10,9 +10,9 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// Whether the segment from `p` to `q` crosses the way. Exact, and half-open: a point on the line through start and goal counts
-    /// as on its left, so that the crossings of a chain of segments are those of a curve. The ends of the way must not be on the
-    /// segment.
+    /// Whether the segment from `p` to `q` crosses the way. Exact, and half-open: a point on the line through start and goal
+    /// counts as on its left, so that the crossings of a chain of segments are those of a curve. The ends of the way must not be
+    /// on the segment.
     pub fn is_crossed(&self, p: Point, q: Point) -> bool {
         let is_left = |x: Point| orientation(self.start, self.goal, x) >= 0.0;
         is_left(p) != is_left(q) && (orientation(p, q, self.start) > 0.0) != (orientation(p, q, self.goal) > 0.0)

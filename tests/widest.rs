@@ -237,6 +237,13 @@ fn what_is_not_served_is_refused() {
 fn random_world(random: &mut Random, count: u64) -> Vec<String> {
     let mut at = |low: f64, high: f64| low + random.uniform() * (high - low);
     let mut obstacles = Vec::new();
+    if count.is_multiple_of(3) {
+        // From side to side, closed or with a door.
+        let (low, door) = (at(2.0, 8.0), at(-0.5, 1.0));
+        let [a, b, c, d] = [0; 4].map(|_| at(3.0, 7.0));
+        obstacles.push(wall(&[[a, -0.5], [b, low]], 0.1, false));
+        obstacles.push(wall(&[[b, low + door], [c, 9.0], [d, 10.5]], 0.1, false));
+    }
     for i in 0..count {
         let center = Vector::new(at(-0.5, 10.5), at(-0.5, 10.5));
         let size = at(0.2, 1.6);

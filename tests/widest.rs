@@ -211,7 +211,7 @@ fn what_is_not_served_is_refused() {
         scenario("[0, 0], [2, 2]", "", r#"{"type": "disc", "radius": 0.1}"#, r#""start": [1, 1], "goal": [1, 1]"#);
     refuses(widest(&reaches, Some("other")), "unknown-query", "/query");
     for document in [reaching(), BODY.to_owned(), CAR.to_owned()] {
-        refuses(widest(&parse(&document), None), "unsupported", "");
+        refuses(widest(parse(&document), None), "unsupported", "");
     }
     let block = [rectangle([4.0, 4.0], [6.0, 6.0]), disc([8.0, 8.0], 0.5)];
     for (ends, code, pointer) in [
@@ -221,7 +221,7 @@ fn what_is_not_served_is_refused() {
         ([[1.0, 1.0], [8.0, 8.1]], "goal-in-collision", "/queries/0/goal"),
         ([[1.0, 1.0], [8.0, 10.1]], "goal-in-collision", "/queries/0/goal"),
     ] {
-        refuses(widest(&world(ROOM, &block, 0.0, ends), None), code, pointer);
+        refuses(widest(world(ROOM, &block, 0.0, ends), None), code, pointer);
     }
     // The robot of the scenario does not matter, nor does its margin.
     let robot = r#"{"type": "disc", "radius": 3, "margin": 0.5}"#;
@@ -230,7 +230,7 @@ fn what_is_not_served_is_refused() {
     assert_eq!(found.radius, of(&block, [[1.0, 1.0], [9.0, 9.0]]).radius);
     // A pile of discs has too many contacts.
     let pile: Vec<_> = (0..2100).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 0.5)).collect();
-    refuses(widest(&world(ROOM, &pile, 0.0, [[1.0; 2], [9.0; 2]]), None), "too-large", "");
+    refuses(widest(world(ROOM, &pile, 0.0, [[1.0; 2], [9.0; 2]]), None), "too-large", "");
 }
 
 /// A random world: polygons, discs and walls, some of which overlap, and corridors of them.

@@ -47,7 +47,7 @@
 //! - [`fleet::FleetPlanner`] plans for several robots at once, and [`fleet::verify`] checks its plans;
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;
 //! - [`timing::time`] says when a robot is where on a path, within limits of speed and acceleration;
-//! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
+//! - [`optimum::optimum()`] finds the shortest path of a query where that is known, [`optimum::widest()`] how wide a disc may be;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
 //! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it

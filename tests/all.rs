@@ -70,4 +70,5 @@ mod verify;
 mod verify_body;
 mod viewers;
 mod walls;
+mod widest;
 mod worlds;

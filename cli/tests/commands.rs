@@ -83,6 +83,25 @@ fn the_optimum_is_printed_and_a_result_compared_with_it() {
 }
 
 #[test]
+fn the_widest_disc_is_printed_with_its_bottleneck() {
+    let finished = planarium("widest room.json");
+    let found = finished.json();
+    assert_eq!((finished.code, &found["radius"], &found["limit"]), (0, &json!(0.25), &json!("gap")));
+    assert_eq!(found["between"], json!([0, "bounds"]));
+    let [top, side] = [0, 1].map(|i| found["bottleneck"][i].clone());
+    assert_eq!((&top[1], &side[1], &top[0]), (&json!(1.5), &json!(2.0), &side[0]));
+    assert!(
+        finished.stderr.contains("a radius of 0.250000 m") && finished.stderr.contains("obstacle 0 and the bounds")
+    );
+    let none = planarium("widest room.json --query cut-off");
+    assert_eq!((none.code, &none.json()["radius"], &none.json()["limit"]), (1, &Value::Null, &json!("closed")));
+    assert!(none.stderr.contains("not even for a point"), "{}", none.stderr);
+    planarium("widest room.json --query in-wall").refuses("goal-in-collision", "/queries/2/goal");
+    planarium("widest arm.json").refuses("unknown-query", "/query");
+    planarium("widest firs.json").refuses("unsupported", "");
+}
+
+#[test]
 fn parameters_reach_the_planner() {
     let plain = "plan room.json --planner prm --set samples=150 --set k=7";
     let result = planarium(&format!("{plain} --set shortcut=40")).ended(0, "solved");

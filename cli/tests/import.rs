@@ -159,7 +159,7 @@ fn every_command_that_reads_a_map_reports_about_it() {
         |stderr: &str| -> Value { serde_json::from_str(stderr.lines().next().expect("a line")).expect("JSON") };
     let imported = report(&planarium(&format!("import {at}/room.yaml {query} --report json")).stderr);
     file(&format!("{at}/result.json"), planarium(&format!("plan {at}/room.yaml {query}")).stdout);
-    for line in ["plan MAP", "certify MAP", "optimum MAP", "verify MAP RESULT"] {
+    for line in ["plan MAP", "certify MAP", "optimum MAP", "widest MAP", "verify MAP RESULT"] {
         let line = line.replace("MAP", &format!("{at}/room.yaml")).replace("RESULT", &format!("{at}/result.json"));
         let printed = planarium(&format!("{line} {query} --report json"));
         assert_eq!((printed.code, report(&printed.stderr)), (0, imported.clone()), "{line}: {}", printed.stderr);

@@ -27,6 +27,7 @@ mod rmf;
 mod ros;
 mod svg;
 mod tables;
+mod widest;
 mod wkt;
 mod worlds;
 mod written;

@@ -7,7 +7,7 @@ use super::Aabb;
 use std::ops::Range;
 
 /// The number of items of a leaf.
-pub(super) const LEAF: usize = 4;
+pub(crate) const LEAF: usize = 4;
 
 /// There is a tree if there are more items than this.
 pub(super) const MOST_WITHOUT: usize = 16;
@@ -18,7 +18,7 @@ pub(super) const DEPTH: usize = 40;
 
 /// The boxes of all nodes.
 #[derive(Debug, Clone)]
-pub(super) struct BoxTree {
+pub(crate) struct BoxTree {
     /// The leaves in the order of their items, then the nodes above them, and so on up to the root.
     boxes: Vec<Aabb>,
     /// The index of the first box of each level.
@@ -28,7 +28,7 @@ pub(super) struct BoxTree {
 
 /// A node: its level, 0 for leaves, and its number on it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Node {
+pub(crate) struct Node {
     level: u32,
     number: u32,
 }

@@ -26,6 +26,7 @@ mod wall;
 
 pub(crate) use angle::arc_length;
 pub use angle::{angular_distance, arc_pose, euler_pose, unwind, wrap};
+pub(crate) use box_tree::{BoxTree, LEAF};
 pub use convex_pieces::{convex_pieces, small_convex_pieces};
 pub use distance::{
     distance_point_segment, distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,

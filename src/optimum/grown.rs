@@ -32,9 +32,7 @@ pub(super) struct Grown {
 impl Grown {
     /// The world for a disc of a radius, in metres. O(n log n).
     pub fn new(world: &World, bounds: Aabb, radius: f64) -> Self {
-        let largest = world.obstacles.iter().map(|obstacle| largest_coordinate(&obstacle.aabb()));
-        let largest = largest.fold(largest_coordinate(&bounds), f64::max);
-        let larger = LARGER * Tolerance::new(largest + radius, 0.0).eta;
+        let larger = larger(world, &bounds, radius);
         let shapes = Arc::clone(&world.obstacles);
         Self { obstacles: Obstacles::new(Arc::clone(&shapes)), shapes, bounds, radius, larger }
     }
@@ -135,6 +133,12 @@ impl Grown {
         });
         found
     }
+}
+
+/// How much larger a disc is taken, in metres.
+pub(super) fn larger(world: &World, bounds: &Aabb, radius: f64) -> f64 {
+    let largest = world.obstacles.iter().map(|obstacle| largest_coordinate(&obstacle.aabb()));
+    LARGER * Tolerance::new(largest.fold(largest_coordinate(bounds), f64::max) + radius, 0.0).eta
 }
 
 /// The circles at the convex corners of a closed chain of edges, with the inside on their left.

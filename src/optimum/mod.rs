@@ -9,9 +9,11 @@
 //! Other robots have none.
 //!
 //! Of the exact method: `circles.rs` are the circles that a path turns around and their tangents, `grown.rs` is the world as the
-//! disc's centre sees it, `arcs.rs` has the free arcs of the circles, `mesh.rs` the navigation mesh, `dead_ends.rs`
-//! what of it no path enters, `rays.rs` what a search pushes through it. `tangent_graph.rs` compares
-//! all pairs of circles: slower and simpler, it is the oracle of the tests.
+//! disc's centre sees it, `arcs.rs` has the free arcs of the circles, `mesh.rs` the navigation mesh, `dead_ends.rs` what of
+//! it no path enters, `rays.rs` what a search pushes through it. `tangent_graph.rs` compares all pairs of circles: slower and
+//! simpler, it is the oracle of the tests.
+//!
+//! Beside it, the widest disc that has a path (`widest/`).
 
 mod arcs;
 mod circles;
@@ -22,8 +24,10 @@ mod mesh;
 mod polyanya;
 mod rays;
 mod tangent_graph;
+mod widest;
 
 pub use crate::planner::MetricOptions;
+pub use widest::{Limit, Widest, widest};
 
 use crate::error::{Code, Error};
 use crate::geometry::{Point, wrap};

@@ -48,6 +48,7 @@
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;
 //! - [`timing::time`] says when a robot is where on a path, within limits of speed and acceleration;
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known, [`optimum::widest()`] how wide a disc may be;
+//! - [`route_graph::route_graph()`] makes a sparse graph of proven edges, as the route server of Nav2 reads it;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
 //! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it
@@ -60,9 +61,9 @@
 //! [`error`], `json`, [`options`], [`random`], `fingerprint`, [`statistics`], [`geometry`]; [`space`] (with steering), [`robot`],
 //! [`scenario`], `generators`; [`problem`]; `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`],
 //! [`sampling`], `shortening`, [`path`]; [`planner`]; [`run`]; and beside each other on it [`certificate`], [`driving`],
-//! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`], [`timing`] and [`trajectories`]. On top stand the bindings to JavaScript
-//! and the command line. A module uses only modules below it: a planner sees a space and the traits [`problem::Validity`] and
-//! [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
+//! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`], [`route_graph`], [`timing`] and [`trajectories`]. On top
+//! stand the bindings to JavaScript and the command line. A module uses only modules below it: a planner sees a space and the
+//! traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
 //! a test enforces this. It calls no code of its caller but the function that decides what is free, and custom planners.
 //! Modules hidden from this page are public for the tests, the benches and the command line only; they may change at any time.
 #![deny(missing_docs)]
@@ -87,6 +88,7 @@ pub mod optimum;
 pub mod path;
 pub mod problem;
 pub mod robot;
+pub mod route_graph;
 pub mod run;
 pub mod scenario;
 pub mod space;

@@ -58,6 +58,8 @@ pub enum Stream {
     Moves = 16,
     /// Which values of a sample are drawn again, for an interval.
     Resamples = 17,
+    /// The places on which the cover of a route graph is measured.
+    Probes = 18,
 }
 
 /// A stream of random numbers.

@@ -49,6 +49,7 @@ mod prismatic;
 mod proof;
 mod refusals;
 mod roadmap;
+mod route_graph;
 mod sampling;
 mod scenario;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]

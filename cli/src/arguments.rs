@@ -95,7 +95,8 @@ fn setting(text: &str) -> Result<(String, Value), String> {
     }
 }
 
-fn seed(text: &str) -> Result<u64, String> {
+/// The value of `--seed`.
+pub fn seed(text: &str) -> Result<u64, String> {
     if text == "random" {
         return random_seed().map_err(|error| error.to_string());
     }

@@ -37,6 +37,7 @@ impl Kind {
     pub const REACH: Self = Self::fields("a result of this command", &["scenario", "method", "target", "solutions"]);
     pub const OPTIMUM: Self = Self::fields("a shortest path", &["length", "path", "method", "exact"]);
     pub const WIDEST: Self = Self::fields("a widest disc", &["radius", "limit", "bottleneck", "between"]);
+    pub const ROUTE_GRAPH: Self = Self::fields("a route graph of this command", &["type", "route_graph", "features"]);
     pub const CERTIFICATE: Self = Self::format("a certificate", "planarium-certificate-1");
     pub const TRAJECTORY: Self = Self::format("a trajectory", planarium::timing::FORMAT);
     pub const POLICY: Self = Self::format("a policy", "planarium-policy-1");

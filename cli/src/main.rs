@@ -1,5 +1,5 @@
-//! The command line: import, plan, fleet, train, navigate, compare, optimum, widest, certify, verify, time, convert, sweep,
-//! nearest, list, generate, reach, trajectories, schema.
+//! The command line: import, plan, fleet, train, navigate, compare, optimum, widest, route-graph, certify, verify, time,
+//! convert, sweep, nearest, list, generate, reach, trajectories, schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -24,6 +24,7 @@ mod output;
 mod plan;
 mod progress;
 mod reach;
+mod route_graph;
 mod schema;
 mod sweep;
 mod time;
@@ -89,6 +90,8 @@ enum Command {
     Optimum(optimum::Arguments),
     /// Print how wide a disc may be to pass from the start to the goal of a query, and the bottleneck
     Widest(widest::Arguments),
+    /// Make a sparse graph of proven edges over the free places, and print it as GeoJSON for the route server of Nav2
+    RouteGraph(route_graph::Arguments),
     /// Run the trials of an experiment, a row each, and print their statistics
     Sweep(sweep::Arguments),
     /// Find the configurations nearest to a target, in a list or among random ones
@@ -141,6 +144,7 @@ fn run(command: &Command) -> Answer {
         Command::Convert(arguments) => convert::convert(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),
         Command::Widest(arguments) => widest::print(arguments),
+        Command::RouteGraph(arguments) => route_graph::route_graph(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),

@@ -65,6 +65,7 @@ fn every_command_leaves_what_it_did_not_write() {
         ("reach arm.json --target 1,0.5", "reach.json"),
         ("optimum room.json", "optimum.json"),
         ("widest room.json", "widest.json"),
+        ("route-graph room.json --samples 50", "graph.geojson"),
         ("train --set generations=1 --set pairs=2 --set tasks=1", "trained.json"),
         (
             "navigate kept/task.json --policy kept/policy.json --set samples=20 --set rollouts=1 --trials 1",

@@ -159,7 +159,7 @@ fn every_command_that_reads_a_map_reports_about_it() {
         |stderr: &str| -> Value { serde_json::from_str(stderr.lines().next().expect("a line")).expect("JSON") };
     let imported = report(&planarium(&format!("import {at}/room.yaml {query} --report json")).stderr);
     file(&format!("{at}/result.json"), planarium(&format!("plan {at}/room.yaml {query}")).stdout);
-    for line in ["plan MAP", "certify MAP", "optimum MAP", "widest MAP", "verify MAP RESULT"] {
+    for line in ["plan MAP", "certify MAP", "optimum MAP", "widest MAP", "route-graph MAP", "verify MAP RESULT"] {
         let line = line.replace("MAP", &format!("{at}/room.yaml")).replace("RESULT", &format!("{at}/result.json"));
         let printed = planarium(&format!("{line} {query} --report json"));
         assert_eq!((printed.code, report(&printed.stderr)), (0, imported.clone()), "{line}: {}", printed.stderr);
@@ -336,4 +336,32 @@ fn paths_of_other_programs_are_judged_on_a_map() {
     let error = &arcs.json()["error"];
     assert_eq!((arcs.code, &error["code"], &error["pointer"]), (2, &json!("unsupported"), &json!("/arcs")));
     planarium("verify room.json room.json --arcs").refuses("usage", "");
+}
+
+#[test]
+fn a_map_has_a_route_graph() {
+    let at = folder("route-graph");
+    let made =
+        planarium(&format!("route-graph {at}/room.yaml --radius 0.2 --samples 100 --speed-limit 0.8 --frame-id hall"));
+    let graph = made.json();
+    assert_eq!((made.code, &graph["type"], &graph["name"]), (0, &json!("FeatureCollection"), &json!("room")));
+    for words in ["route graph: ", " nodes, ", " connections, ", "times those over the roadmap", "% of free places"] {
+        assert!(made.stderr.contains(words), "{words}: {}", made.stderr);
+    }
+    let features = graph["features"].as_array().expect("features");
+    assert_eq!(features[0]["properties"], json!({ "id": 1, "frame": "hall" }));
+    let edge = &features[features.len() - 1]["properties"];
+    assert_eq!((&edge["id"], &edge["metadata"]), (&features.len().into(), &json!({ "abs_speed_limit": 0.8 })));
+    let about = &graph["route_graph"];
+    assert_eq!((&about["robot"]["type"], &about["samples"], &about["seed"]), (&json!("disc"), &json!(100), &json!(0)));
+
+    let of = |line: &str| planarium(&format!("route-graph {at}/room.yaml --samples 30 {line}"));
+    assert_eq!(of("--footprint 0.6x0.3 --seed 4").json()["route_graph"]["seed"], 4);
+    of("--detour 0.5").refuses("out-of-range", "/detour");
+    of("--detour much").refuses("wrong-type", "/detour");
+    of("--leg -1").refuses("out-of-range", "/longest_leg");
+    of("--speed-limit 0").refuses("invalid-option", "");
+    of("--car 0.6x0.3").refuses("unsupported", "/robot/type");
+    let none = of("--radius 5");
+    assert_eq!((none.code, none.stdout.as_str()), (1, ""), "{}", none.stderr);
 }

@@ -75,7 +75,7 @@ pub use path::{Angles, ColumnRead, MAX_WAYPOINTS, PathFormat, PathOptions, PathR
 pub use report::{Dropped, FileRead, Format, GridRead, LayerRead, Obstacles, PlaneRead, QueryRead, Report};
 
 pub use planarium::scenario::MapFrame;
-pub use write::{PathForm, PathRows, RowTiming, WriteOptions, write_path};
+pub use write::{PathForm, PathRows, RouteWriteOptions, RowTiming, WriteOptions, write_path, write_route_graph};
 
 use planarium::scenario::Scenario;
 

@@ -25,6 +25,7 @@ mod plans;
 mod rectangles;
 mod rmf;
 mod ros;
+mod route_graphs;
 mod svg;
 mod tables;
 mod widest;

@@ -100,7 +100,8 @@ pub(super) fn crossings_disc(circle: &Disc, other: &Disc, found: &mut Vec<f64>) 
     crossings(&between, cos, found);
 }
 
-/// The angles at which the circle crosses the line of all points x with `normal` (x - centre) = `height`; the normal has length 1.
+/// The angles at which the circle crosses the line of all points x with `normal` (x - centre) = `height`; the normal has
+/// length 1.
 pub(super) fn crossings_line(circle: &Disc, normal: &Vector, height: f64, found: &mut Vec<f64>) {
     crossings(normal, height / circle.radius, found);
 }

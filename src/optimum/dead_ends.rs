@@ -8,8 +8,8 @@ const OPEN: u32 = u32::MAX;
 
 /// The dead ends of a mesh: triangles with one way out, and those that have one way out without them.
 ///
-/// A path that enters and leaves a triangle by the same side turns in between. If the triangle has no arc around which it may turn,
-/// nor have those behind it, only paths that begin or end there enter.
+/// A path that enters and leaves a triangle by the same side turns in between. If the triangle has no arc around which it may
+/// turn, nor have those behind it, only paths that begin or end there enter.
 pub(super) struct DeadEnds {
     /// Of each triangle of a dead end the next one on the way out; itself if there is none.
     out: Vec<u32>,

@@ -30,7 +30,8 @@ impl HasPosition for Vertex {
     }
 }
 
-/// A triangle and one of its sides, the number of the triangle times 3 plus that of the side; side i is from corner i to the next one.
+/// A triangle and one of its sides, as the number of the triangle times 3 plus that of the side. Side i is from corner i to the
+/// next one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Side(u32);
 

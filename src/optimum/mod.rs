@@ -138,8 +138,8 @@ pub fn optimum(
 
 /// The shortest paths of a disc, or of a point, between any two positions of a world, which is prepared once: exact.
 ///
-/// The preparation takes O(n log n) for n corners, walls and discs, as a rule; a query looks at what lies near its path (Cui, Harabor
-/// and Grastien 2017, "Compromise-free pathfinding on a navigation mesh", for a disc whose paths turn around circles).
+/// The preparation takes O(n log n) for n corners, walls and discs, as a rule; a query looks at what lies near its path (Cui,
+/// Harabor and Grastien 2017, "Compromise-free pathfinding on a navigation mesh", with circles in place of corners).
 ///
 /// # Example
 /// Around a square:
@@ -169,8 +169,8 @@ pub struct ShortestPaths {
 pub struct Shortest {
     /// The length, in metres: the infimum of the lengths of all free paths.
     pub length: f64,
-    /// Positions from the start to the goal, in metres. The path touches obstacles, and its arcs are replaced by chords of at most
-    /// 0.05 radians.
+    /// Positions from the start to the goal, in metres. The path touches obstacles, and its arcs are replaced by chords of at
+    /// most 0.05 radians.
     pub path: Vec<[f64; 2]>,
 }
 

@@ -3,6 +3,7 @@
 mod columns;
 mod geojson;
 mod poses;
+mod route_graph;
 mod svg;
 mod table;
 
@@ -12,6 +13,8 @@ use crate::path::MAX_WAYPOINTS;
 use columns::Table;
 use planarium::scenario::{Robot, Scenario};
 use serde::Deserialize;
+
+pub use route_graph::{RouteWriteOptions, write_route_graph};
 
 /// The form of a path that is written, as a stable kebab-case word.
 #[derive(

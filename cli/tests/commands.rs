@@ -89,7 +89,7 @@ fn the_widest_disc_is_printed_with_its_bottleneck() {
     assert_eq!((finished.code, &found["radius"], &found["limit"]), (0, &json!(0.25), &json!("gap")));
     assert_eq!(found["between"], json!([0, "bounds"]));
     let [top, side] = [0, 1].map(|i| found["bottleneck"][i].clone());
-    assert_eq!((&top[1], &side[1], &top[0]), (&json!(1.5), &json!(2.0), &side[0]));
+    assert_eq!((&top[1], &side[1], &top[0]), (&json!(1.5), &json!(2), &side[0]));
     assert!(
         finished.stderr.contains("a radius of 0.250000 m") && finished.stderr.contains("obstacle 0 and the bounds")
     );

@@ -357,11 +357,17 @@ fn a_map_has_a_route_graph() {
 
     let of = |line: &str| planarium(&format!("route-graph {at}/room.yaml --samples 30 {line}"));
     assert_eq!(of("--footprint 0.6x0.3 --seed 4").json()["route_graph"]["seed"], 4);
-    of("--detour 0.5").refuses("out-of-range", "/detour");
-    of("--detour much").refuses("wrong-type", "/detour");
-    of("--leg -1").refuses("out-of-range", "/longest_leg");
-    of("--speed-limit 0").refuses("invalid-option", "");
-    of("--car 0.6x0.3").refuses("unsupported", "/robot/type");
+    for (line, code, pointer) in [
+        ("--detour 0.5", "out-of-range", "/detour"),
+        ("--detour much", "wrong-type", "/detour"),
+        ("--leg -1", "out-of-range", "/longest_leg"),
+        ("--speed-limit 0", "invalid-option", ""),
+        ("--car 0.6x0.3", "unsupported", "/robot/type"),
+    ] {
+        let (refused, code, pointer) = (of(line), json!(code), json!(pointer));
+        let error = &refused.json()["error"];
+        assert_eq!((refused.code, &error["code"], &error["pointer"]), (2, &code, &pointer), "{line}");
+    }
     let none = of("--radius 5");
     assert_eq!((none.code, none.stdout.as_str()), (1, ""), "{}", none.stderr);
 }

@@ -63,9 +63,10 @@
 //! [`sampling`], `shortening`, [`path`]; [`planner`]; [`run`]; and beside each other on it [`certificate`], [`driving`],
 //! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`], [`route_graph`], [`timing`] and [`trajectories`]. On top
 //! stand the bindings to JavaScript and the command line. A module uses only modules below it: a planner sees a space and the
-//! traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
-//! a test enforces this. It calls no code of its caller but the function that decides what is free, and custom planners.
-//! Modules hidden from this page are public for the tests, the benches and the command line only; they may change at any time.
+//! traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock,
+//! prints nothing, and has no global state: a test enforces this. It calls no code of its caller but the function that decides
+//! what is free, and custom planners. Modules hidden from this page are public for the tests, the benches and the command line
+//! only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]

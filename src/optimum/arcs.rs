@@ -13,6 +13,9 @@ const SLACK: f64 = 1e-9;
 /// The longest part of an arc, in radians: much less than half a turn.
 const LONGEST: f64 = 1.0;
 
+/// How far from its centre it is looked for what covers a circle, in radii.
+const REACHES: [f64; 3] = [0.25, 0.75, 2.0];
+
 /// A free arc of a circle.
 #[derive(Debug, Clone)]
 pub(super) struct Arc {
@@ -109,44 +112,72 @@ impl Arcs {
     }
 }
 
-/// The free arcs of a circle: where each begins, and how far it reaches.
+/// The free arcs of a circle: where each begins, and how far it reaches. O(k log k) for k edges near it, and if some are left,
+/// a test of each.
 fn free(grown: &Grown, circle: &Circle) -> Vec<[f64; 2]> {
-    let mut stops = grown.crossings(&circle.disc);
-    if let Some(normals) = &circle.normals {
-        stops.extend(normals.iter().map(angle_of));
-    }
-    if stops.is_empty() {
-        stops.push(0.0);
-    }
-    sort_stably(&mut stops, f64::total_cmp);
-    stops.dedup();
-    let end_of = |i: usize| stops.get(i + 1).copied().unwrap_or(stops[0] + TAU);
-    let is_free = |i: usize| {
-        let middle = 0.5 * (stops[i] + end_of(i));
-        let (sin, cos) = libm::sincos(middle);
-        let at = circle.at(middle);
-        circle.has_side(&Vector::new(cos, sin)) && grown.is_free(&Segment::new(at, at))
-    };
-    // Ranges of stretches that are all free.
-    let mut runs: Vec<Range<usize>> = Vec::new();
-    for i in (0..stops.len()).filter(|&i| is_free(i)) {
-        match runs.last_mut() {
-            Some(run) if run.end == i => run.end = i + 1,
-            _ => runs.push(i..i + 1),
+    let [begin, span] = circle.normals.map_or([0.0, TAU], |normals| {
+        let [before, after] = normals.map(|normal| angle_of(&normal));
+        [before, turn_left(before, after)]
+    });
+    // Most circles are covered by what is nearest: then the rest is not looked at.
+    let mut gaps = vec![[0.0, span]];
+    for reach in REACHES {
+        gaps = gaps_between(grown.covered(&circle.disc, reach * circle.disc.radius), [begin, span]);
+        if gaps.is_empty() {
+            return Vec::new();
         }
     }
-    if runs.first() == Some(&(0..stops.len())) {
-        return vec![[stops[0], TAU]];
+    let mut stops: Vec<f64> = grown.crossings(&circle.disc).into_iter().map(|angle| turn_left(begin, angle)).collect();
+    sort_stably(&mut stops, f64::total_cmp);
+    stops.dedup();
+    let is_free = |from: f64, to: f64| {
+        let at = circle.at(begin + 0.5 * (from + to));
+        grown.is_free(&Segment::new(at, at))
+    };
+    let mut free: Vec<[f64; 2]> = Vec::new();
+    for [first, last] in gaps {
+        let inside = stops.partition_point(|&stop| stop <= first)..stops.partition_point(|&stop| stop < last);
+        let mut from = first;
+        for to in stops[inside].iter().copied().chain([last]) {
+            if is_free(from, to) {
+                match free.last_mut() {
+                    Some([_, end]) if *end == from => *end = to,
+                    _ => free.push([from, to]),
+                }
+            }
+            from = to;
+        }
     }
-    let mut free: Vec<[f64; 2]> =
-        runs.iter().map(|run| [stops[run.start], end_of(run.end - 1) - stops[run.start]]).collect();
-    // The last one may go on with the first.
-    if runs.len() > 1 && runs[0].start == 0 && runs[runs.len() - 1].end == stops.len() {
-        // In the place of the first is then the last.
-        let [_, span] = free.swap_remove(0);
-        free[0][1] += span;
+    // On a whole circle the last one may go on with the first.
+    if let [[first, end], .., [last, all]] = free[..]
+        && (first, all) == (0.0, TAU)
+    {
+        free.pop();
+        free[0] = [last, TAU + end];
     }
-    free
+    free.into_iter().map(|[from, to]| [turned(begin + from), to - from]).collect()
+}
+
+/// What intervals of angles leave of an arc, as angles after that where it begins, in order.
+fn gaps_between(covered: Vec<[f64; 2]>, [begin, span]: [f64; 2]) -> Vec<[f64; 2]> {
+    let mut parts: Vec<[f64; 2]> = Vec::with_capacity(2 * covered.len());
+    for [from, to] in covered {
+        let first = turn_left(begin, turned(from));
+        let last = first + (to - from);
+        parts.push([first, last]);
+        if last > TAU {
+            parts.push([0.0, last - TAU]);
+        }
+    }
+    sort_stably(&mut parts, |a, b| a[0].total_cmp(&b[0]));
+    let (mut gaps, mut reached) = (Vec::new(), 0.0);
+    for [from, to] in parts.into_iter().chain([[span, span]]) {
+        if from > reached && reached < span {
+            gaps.push([reached, from.min(span)]);
+        }
+        reached = reached.max(to);
+    }
+    gaps
 }
 
 /// The stretches of a circle in a triangle: from one angle in [0, 2 pi) to another one, at most 2 pi to the left of it.

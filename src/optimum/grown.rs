@@ -6,11 +6,12 @@
 //! by less than [`ROUNDING`] of that still counts as free. By the envelope theorem the length of a shortest path grows with the
 //! radius of an arc at the rate of its angle, so with arcs measured at their true radius the error is of second order.
 
-use super::circles::{Circle, crossings_disc, crossings_line};
+use super::circles::{Circle, angle_of, crossings_disc, crossings_line};
 use crate::collision::{Obstacles, Tolerance, largest_coordinate};
 use crate::error::{Code, Error, Number};
 use crate::geometry::{Aabb, Disc, Point, Segment, Vector, orientation};
 use crate::scenario::{Obstacle, World};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// How much larger the disc is, in slacks of a proof.
@@ -18,6 +19,9 @@ const LARGER: f64 = 1.0 / 16.0;
 
 /// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
 const ROUNDING: f64 = 0.25;
+
+/// By how much less of a circle counts as covered at either end, in radians: what covers rounding.
+const COVERED: f64 = 1e-9;
 
 /// The world as the centre of the disc sees it.
 pub(super) struct Grown {
@@ -102,6 +106,27 @@ impl Grown {
         circles
     }
 
+    /// Intervals of angles at which a circle is not free, by corners, points of walls and discs within a reach of its centre
+    /// along both axes.
+    pub fn covered(&self, circle: &Disc, reach: f64) -> Vec<[f64; 2]> {
+        let near = Disc { radius: reach, ..*circle }.aabb();
+        let mut found = Vec::new();
+        self.obstacles.any_near(&near, |i| {
+            if let Obstacle::Disc(disc) = &self.shapes[i] {
+                found.extend(covered_by(circle, &Disc { radius: disc.radius + self.kept_out(), ..*disc }));
+            }
+            let radius = self.kept_out() + self.shapes[i].edge_radius();
+            self.shapes[i].any_edge_near(&near, |edge| {
+                found.extend(
+                    [edge.a, edge.b].into_iter().filter_map(|center| covered_by(circle, &Disc { center, radius })),
+                );
+                false
+            });
+            false
+        });
+        found
+    }
+
     /// The angles at which a circle may become free or blocked, in any order.
     pub fn crossings(&self, circle: &Disc) -> Vec<f64> {
         let mut found = Vec::new();
@@ -150,6 +175,24 @@ fn corners(edges: Vec<Segment>, radius: f64) -> Vec<Circle> {
         normals: Some([to.normal(), from.normal()]),
     };
     corners.map(circle).collect()
+}
+
+/// The angles at which the circle is inside a disc: an interval that is a little less.
+fn covered_by(circle: &Disc, disc: &Disc) -> Option<[f64; 2]> {
+    let between = disc.center - circle.center;
+    let distance = between.norm();
+    let (r, s) = (circle.radius, disc.radius);
+    if distance + r < s {
+        return Some([0.0, TAU]);
+    }
+    let cos = ((r - s) * (r + s) + distance * distance) / (2.0 * r * distance);
+    // Without a crossing, and with coincident centres, nothing is known.
+    (cos.abs() < 1.0)
+        .then(|| {
+            let (middle, half) = (angle_of(&between), libm::acos(cos) - COVERED);
+            [middle - half, middle + half]
+        })
+        .filter(|[from, to]| from < to)
 }
 
 /// The angles at which the circle may cross the border of all within a distance of an edge.

@@ -30,6 +30,9 @@ use std::f64::consts::TAU;
 /// The largest turn of one chord of an arc in the path, in radians.
 const CHORD: f64 = 0.05;
 
+/// Rays that cross a side at less than this angle, in radians, meet it somewhere: beyond, where is known to 1e-12 of the size.
+const PARALLEL: f64 = 1e-3;
+
 /// No shortest path turns so nearly around a whole circle, in radians.
 const ROUNDED: f64 = 1e-6;
 
@@ -234,15 +237,17 @@ impl<'a> Search<'a> {
         let from = &self.sources[source as usize];
         let Segment { a, b } = self.mesh.segment(side);
         let along = b - a;
-        let center = from.circle.disc.center - a;
-        // Where a ray crosses the side, as a part of it.
-        let crossing = |normal: &Vector| {
-            let part = (normal.dot(&center) - from.offset()) / normal.dot(&along);
-            if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) }
+        let (center, length) = (from.circle.disc.center - a, along.norm());
+        // Where a ray crosses the side, as a part of it; of one that is nearly parallel to it little is known.
+        let crossing = |normal: &Vector, end: f64| {
+            let across = normal.dot(&along);
+            let is_known = across.abs() > PARALLEL * length;
+            if is_known { ((normal.dot(&center) - from.offset()) / across).clamp(0.0, 1.0) } else { end }
         };
-        let [first, last] = [crossing(&rays.left), crossing(&rays.right)];
+        // Seen from where the rays come from, a side begins on the left.
+        let [first, last] = [crossing(&rays.left, 0.0), crossing(&rays.right, 1.0)];
         // The way through the side and on to the goal, or to its mirror image if it is on the near side.
-        let squared = along.norm_squared();
+        let squared = length * length;
         let [own, goal] = [from.point, self.goal].map(|p| (p - a, along.perp(&(p - a)).abs()));
         let [at, goal_at] = [own, goal].map(|(p, _)| along.dot(&p) / squared);
         let straight = (at * goal.1 + goal_at * own.1) / (own.1 + goal.1);

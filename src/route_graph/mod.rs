@@ -35,7 +35,7 @@
 //!          "robot": { "type": "disc", "radius": 0.2 }, "queries": [] }"#,
 //! )?;
 //! let graph = route_graph(&scenario, &RouteGraphOptions { samples: 300, ..RouteGraphOptions::default() })?;
-//! assert_eq!((graph.parts, graph.covered), (1, 1.0));
+//! assert!(graph.parts == 1 && graph.covered > 0.95);
 //! assert!(graph.nodes.len() < 60 && graph.largest_detour < 1.5 + 1e-9);
 //! # Ok::<(), planarium::Error>(())
 //! ```
@@ -97,7 +97,7 @@ pub struct RouteEdge {
 pub struct RouteGraph {
     /// The name of the scenario.
     pub scenario: String,
-    /// What it is proven for: [`fingerprint`](crate::run::storage::fingerprint) of world and robot.
+    /// What it is proven for: [`fingerprint`] of world and robot.
     pub fingerprint: u64,
     /// The options, with the longest leg.
     pub options: RouteGraphOptions,

@@ -13,7 +13,7 @@
 //!
 //! As bounds are never above the length and tangents are exact, the first path that reaches the goal is the shortest.
 
-use super::arcs::{Arc, Arcs};
+use super::arcs::{Arc, Arcs, Part};
 use super::circles::{Circle, Path, Tangent, Turn, along_arc, at, tangent, turn_left, turned};
 use super::dead_ends::DeadEnds;
 use super::grown::Grown;
@@ -72,7 +72,7 @@ enum Node {
     Interval { source: u32, side: Side, rays: Rays },
     /// A tangent from a source to a circle, its end at an angle, which a path may turn around.
     Arrival { source: u32, part: u32, turn: Turn, segment: Segment, angles: [f64; 2] },
-    /// A root leaves its arc in a part of it: the number of the part, in the order of the turn.
+    /// A root leaves its arc in a part of it: the number of the part in the order of the turn.
     Departure { root: u32, number: u32 },
     /// A tangent from a source to the goal.
     Goal { source: u32, segment: Segment, left_at: f64 },
@@ -331,40 +331,27 @@ impl<'a> Search<'a> {
         self.depart(root, 0);
     }
 
-    /// The parts of its arc at which a root may leave, in the order of its turn: the number of the part, and the angles between.
-    fn departure(&self, root: u32, number: u32) -> Option<(u32, [f64; 2])> {
+    /// The next part of its arc, from a number on in the order of its turn, at which a root may leave: its number there, the
+    /// part, and the angles between.
+    fn departure(&self, root: u32, number: u32) -> Option<(u32, u32, [f64; 2])> {
         let Root { arc, turn, angle, .. } = self.roots[root as usize];
         let Arc { from, ref parts, .. } = self.arcs.arcs[arc as usize];
         let is_whole = self.arcs.arcs[arc as usize].is_whole();
         let at = self.arcs.arcs[arc as usize].after(angle);
         let count = parts.len() as u32;
-        // Of a whole circle all parts, twice the one in which the turn begins.
-        let ahead = |part: u32| {
-            let part = &self.arcs.parts[part as usize];
-            if turn == Turn::Left { part.to >= at } else { part.from <= at }
-        };
-        let in_turn = |i: u32| if turn == Turn::Left { parts.start + i } else { parts.end - 1 - i };
-        let first = (0..count).find(|&i| ahead(in_turn(i))).unwrap_or(count);
-        let place = first + number;
-        let is_again = place >= count;
-        if (is_again && !is_whole) || place > first + count || count == 0 {
-            return None;
-        }
-        let part = in_turn(place % count);
-        let found = &self.arcs.parts[part as usize];
-        let (mut low, mut high) = (found.from, found.to);
-        match (turn, is_again) {
-            (Turn::Left, false) => low = low.max(at),
-            (Turn::Right, false) => high = high.min(at),
-            (Turn::Left, true) => high = high.min(at),
-            (Turn::Right, true) => low = low.max(at),
-        }
-        (low <= high).then_some((part, [from + low, from + high]))
+        // Of a whole circle those before where the turn begins come again after all others.
+        (number..if is_whole { 2 * count } else { count }).find_map(|place| {
+            let part = if turn == Turn::Left { parts.start + place % count } else { parts.end - 1 - place % count };
+            let Part { from: low, to: high, .. } = self.arcs.parts[part as usize];
+            let is_ahead = (turn == Turn::Left) == (place < count);
+            let [low, high] = if is_ahead { [low.max(at), high] } else { [low, high.min(at)] };
+            (low <= high).then_some((place, part, [from + low, from + high]))
+        })
     }
 
-    /// A root leaves its arc in a part of it.
+    /// A root leaves its arc in the next part of it from a number on.
     fn depart(&mut self, root: u32, number: u32) {
-        let Some((part, [low, high])) = self.departure(root, number) else { return };
+        let Some((place, part, [low, high])) = self.departure(root, number) else { return };
         let Root { arc, turn, angle, length, point, .. } = self.roots[root as usize];
         let circle = *self.arcs.circle(arc);
         let first = turned_to(if turn == Turn::Left { low } else { high });
@@ -381,11 +368,10 @@ impl<'a> Search<'a> {
         let source = self.sources.len() as u32;
         self.sources.push(Source { root, circle, turn, point, length });
         self.leave(source, self.arcs.parts[part as usize].triangle, Some(&rays));
-        // The next part begins where this one ends.
-        if self.departure(root, number + 1).is_some() {
-            let last = turned_to(if turn == Turn::Left { high } else { low });
-            let (at, length) = (circle.at(last), self.roots[root as usize].length + self.along(arc, turn, angle, last));
-            self.push(length + (self.goal - at).norm(), Node::Departure { root, number: number + 1 });
+        if let Some((next, _, [low, high])) = self.departure(root, place + 1) {
+            let then = turned_to(if turn == Turn::Left { low } else { high });
+            let (at, length) = (circle.at(then), self.roots[root as usize].length + self.along(arc, turn, angle, then));
+            self.push(length + (self.goal - at).norm(), Node::Departure { root, number: next });
         }
     }
 

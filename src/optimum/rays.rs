@@ -86,9 +86,9 @@ impl Source {
 
     /// Does the ray cross the side after the point where it begins, or nearly there?
     pub fn crosses(&self, normal: &Vector, side: &Segment) -> bool {
-        let across = side.b - side.a;
-        let from = self.circle.disc.center - self.offset() * normal;
-        let part = across.perp(&(side.a - from)) / across.perp(&along(normal));
+        let (across, at) = (side.b - side.a, side.a - self.circle.disc.center);
+        // In two terms, of which the first is exactly 0 if an end of the side is the centre.
+        let part = (across.perp(&at) + self.offset() * across.perp(normal)) / across.perp(&along(normal));
         part >= -NEARLY * self.circle.disc.radius
     }
 }

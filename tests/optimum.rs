@@ -367,7 +367,7 @@ fn cells_of_a_map_are_one_obstacle() {
             }
         }
     }
-    assert!(found > 50, "{found} paths");
+    assert!(found > cases(60), "{found} paths");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

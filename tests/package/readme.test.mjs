@@ -121,6 +121,10 @@ test("every shell example runs, and its paths are valid", () => {
       if (commands.includes("verify")) assert.match(printed, /"valid":true/, commands);
       for (const [, file] of commands.matchAll(/--out (\S+)/g)) {
         const text = readFileSync(join(folder, file), "utf8");
+        if (file.endsWith(".geojson")) {
+          assert.ok(JSON.parse(text).features.length > 0, file);
+          continue;
+        }
         if (!file.endsWith(".json")) {
           assert.match(text, /^# A path of Planarium: nav_msgs\/Path\n/, file);
           continue;

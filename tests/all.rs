@@ -34,6 +34,7 @@ mod ik;
 mod jagged;
 mod json;
 mod judge;
+mod keep_away;
 mod lazy;
 mod lengths;
 mod limits;

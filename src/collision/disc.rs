@@ -2,7 +2,7 @@
 //! is left unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
 
 use super::obstacles::largest_coordinate;
-use super::{CollisionWorld, Obstacles, Tolerance, blend};
+use super::{CollisionWorld, KeepAway, Obstacles, Tolerance, blend};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::problem::{Contact, Touched, Validity};
 use crate::robot::DiscRobot;
@@ -19,6 +19,8 @@ pub struct DiscValidity {
     obstacles: Arc<Obstacles>,
     bounds: Option<Aabb>,
     tolerance: Tolerance,
+    /// `None` if motions cost no more than their length.
+    keep_away: Option<KeepAway>,
     evaluations: Cell<u64>,
 }
 
@@ -35,8 +37,27 @@ impl DiscValidity {
             obstacles,
             bounds: world.bounds().copied(),
             tolerance,
+            keep_away: None,
             evaluations: Cell::new(0),
         }
+    }
+
+    /// The same, whose motions cost more near obstacles.
+    #[must_use]
+    pub(crate) fn keeping_away(self, keep_away: Option<KeepAway>) -> Self {
+        Self { keep_away, ..self }
+    }
+
+    /// The clearance of the disc at a point; `most` or more if it is no smaller than that.
+    fn clearance(&self, center: Point, most: f64) -> f64 {
+        let (at, reach) = (Segment::new(center, center), self.radius + most);
+        let mut least = reach;
+        self.obstacles.any_near(&at.aabb().grown(reach), |i| {
+            self.evaluations.set(self.evaluations.get() + 1);
+            least = least.min(self.obstacles.distance_within(i, &at, least));
+            false
+        });
+        least - self.radius
     }
 
     /// The slack of its tests, with the finest tolerance.
@@ -144,6 +165,11 @@ impl<const N: usize> Validity<[f64; N]> for DiscValidity {
 
     fn part_name(&self, _part: usize) -> String {
         "the disc".into()
+    }
+
+    fn nearness_cost(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let added = |keep: &KeepAway| keep.added(&segment(a, b), |point, most| self.clearance(point, most));
+        self.keep_away.as_ref().map_or(0.0, added)
     }
 
     fn clearance_evaluations(&self) -> u64 {

@@ -58,8 +58,14 @@ impl Grown {
     pub fn check(&self, [start, goal]: [Point; 2]) -> Result<(), Error> {
         for (what, at, code) in [("start", start, Code::StartInCollision), ("goal", goal, Code::GoalInCollision)] {
             if !self.is_free(&Segment::new(at, at)) {
-                let (at, least) = ([at.x, at.y].map(Number), Number(self.radius()));
-                let sentence = format!("the {what} [{}, {}] is nearer to an obstacle than {least} m", at[0], at[1]);
+                let [x, y] = [at.x, at.y].map(Number);
+                let sentence = match self.radius {
+                    0.0 => format!("the {what} [{x}, {y}] is in an obstacle, on its border, or outside the bounds"),
+                    least => {
+                        let least = Number(least);
+                        format!("the {what} [{x}, {y}] is nearer to an obstacle or the bounds than {least} m")
+                    }
+                };
                 return Err(Error::new(code, format!("/{what}"), sentence));
             }
         }

@@ -9,6 +9,6 @@ pub use judge::{
     Blocked, FirstContact, JudgeOptions, Judgement, MAX_WAYPOINTS, MOST_TURNS, PathClearance, PathPlace, Turn,
     TurnFault, Turns, judge,
 };
-pub use result::{Approximate, LengthMeasure, ResultDocument};
+pub use result::{Approximate, LengthMeasure, PathCost, ResultDocument};
 pub(crate) use verify::verify_path;
 pub use verify::{Leg, Verdict, verify, verify_legs};

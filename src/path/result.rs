@@ -94,6 +94,9 @@ pub struct ResultDocument {
     /// weighted, by which course reports compare paths. No planner minimises it. Absent for others.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub chord_length: Option<f64>,
+    /// What was minimised, if that is not the length alone: `length`, and what nearness to obstacles adds. Absent if it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cost: Option<PathCost>,
     /// By how much the robot was planned for as larger on all sides, in metres. Absent if it has no margin.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub margin: Option<f64>,
@@ -122,6 +125,23 @@ pub struct ResultDocument {
     /// The approximate solution of an RRT that found no path; absent otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub approximate: Option<Approximate>,
+}
+
+/// The cost of a path of a disc that keeps away from obstacles: at a clearance of c metres every metre costs
+/// `weight` * max(0, 1 - c / `within`) besides its length. Bounds do not count.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PathCost {
+    /// The length and what is added to it, in metres, to `weight` / 64 of the length at worst.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub value: f64,
+    /// What a metre at contact costs besides its length, in metres.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub weight: f64,
+    /// The clearance from which nothing is added, in metres.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub within: f64,
 }
 
 /// An approximate solution: the path to the vertex nearest to the goal. It does not reach the goal.

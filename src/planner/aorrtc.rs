@@ -20,7 +20,7 @@ use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Nearest, Neighbour, Query};
 use crate::problem::Problem;
 use crate::random::{MAX_SEED, Random, Stream};
-use crate::shortening::{Improvement, Wanted, length};
+use crate::shortening::{Improvement, Wanted};
 use crate::space::Space;
 
 /// A path that is shorter by less than this share is no better: that might be rounding.
@@ -109,7 +109,7 @@ struct Aorrtc<S: Space> {
     found: Vec<Neighbour>,
 }
 
-/// A vertex of a tree, and the cost that it gives to a state that is connected to it.
+/// A vertex of a tree, and the least cost that it gives to a state that is connected to it: as if only lengths counted.
 #[derive(Debug, Clone, Copy)]
 struct Parent {
     vertex: VertexId,
@@ -122,9 +122,9 @@ impl<S: Space> Aorrtc<S> {
         self.cost * (1.0 - GAIN)
     }
 
-    /// The distance between a vertex and a state.
-    fn distance(&self, space: &S, vertex: VertexId, state: &S::State) -> f64 {
-        space.distance(self.trees.growth.graph.state(vertex), state)
+    /// The cost of the path from the root to a vertex and on to a state.
+    fn cost_by(&self, problem: &Problem<S>, vertex: VertexId, state: &S::State) -> f64 {
+        self.costs[vertex.index()] + problem.cost(self.trees.growth.graph.state(vertex), state)
     }
 
     /// The vertex of a tree that is nearest to the state in space and cost, if the cost of the state is to be at most `most`: the
@@ -151,7 +151,8 @@ impl<S: Space> Aorrtc<S> {
             }
         }
         let roots = if tree == 0 { 0..1 } else { 1..1 + self.goals };
-        let roots = roots.map(VertexId).map(|vertex| Parent { vertex, cost: self.distance(space, vertex, state) });
+        let states = &self.trees.growth.graph;
+        let roots = roots.map(VertexId).map(|at| Parent { vertex: at, cost: space.distance(states.state(at), state) });
         roots.min_by(|a, b| a.cost.total_cmp(&b.cost)).filter(|root| root.cost <= most)
     }
 
@@ -184,7 +185,11 @@ impl<S: Space> Aorrtc<S> {
                 growth.add_event(EventKind::EdgeRefused, iteration, Some(other.vertex), None, *state);
                 break;
             }
-            parent = other;
+            let cost = other.cost + problem.validity().nearness_cost(&origin, state);
+            if cost >= parent.cost {
+                break;
+            }
+            parent = Parent { cost, ..other };
         }
         parent
     }
@@ -199,7 +204,7 @@ impl<S: Space> Aorrtc<S> {
         let most = come + self.random.uniform() * (bound - come - go);
         let near = self.nearest(space, tree, &sample, most)?;
         let state = self.trees.extend(problem, iteration, tree, near.vertex, &sample)?;
-        let cost = self.costs[near.vertex.index()] + self.distance(space, near.vertex, &state);
+        let cost = self.cost_by(problem, near.vertex, &state);
         let parent = self.parent(problem, iteration, tree, Parent { cost, ..near }, &state);
         let added = self.trees.add_vertex(space, tree, iteration, Some(parent.vertex), state);
         self.costs.push(parent.cost);
@@ -209,17 +214,17 @@ impl<S: Space> Aorrtc<S> {
             let vertex = VertexId(vertex as u32);
             let parent = self.trees.forest.parent(vertex).expect("a new vertex is no root");
             let state = self.trees.growth.state(vertex);
-            self.costs.push(self.costs[parent.index()] + self.distance(space, parent, &state));
+            self.costs.push(self.cost_by(problem, parent, &state));
         }
         let reached = reached?;
-        let total = parent.cost + self.costs[reached.index()] + self.distance(space, reached, &state);
+        let total = parent.cost + self.cost_by(problem, reached, &state);
         (total < bound).then(|| self.trees.meet(iteration, tree, added, reached))
     }
 
     /// Notes the path that was found, which is to be shortened.
     fn arrive(&mut self, problem: &Problem<S>, iteration: u32) {
         let states: Vec<_> = self.trees.path().into_iter().map(|vertex| self.trees.growth.state(vertex)).collect();
-        self.cost = length(problem.space(), &states);
+        self.cost = problem.path_cost(&states);
         let shortening = Improvement::new(states, self.wanted, self.random.bits() & MAX_SEED);
         self.go_on(problem, iteration, shortening);
     }
@@ -244,7 +249,7 @@ impl<S: Space> Aorrtc<S> {
     /// Adds the shortened path to the graph, if it is better, and begins two new trees.
     fn restart(&mut self, problem: &Problem<S>, iteration: u32, path: &[S::State]) {
         let (space, bound, trees) = (problem.space(), self.bound(), &mut self.trees);
-        let shortened = length(space, path);
+        let shortened = problem.path_cost(path);
         if shortened < bound {
             let goal = trees.bridge.map(|[_, goal_side]| trees.forest.to_root(goal_side));
             let goal = goal.and_then(|way| way.last().copied()).expect("a path was found");

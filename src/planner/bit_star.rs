@@ -272,13 +272,21 @@ impl<S: Space> BitStar<S> {
                 self.expand(problem, iteration, from);
                 return true;
             };
-            let (distance, former) = (distance.value(), self.best.tree.cost(to));
-            let cost = self.best.tree.cost(from) + distance;
+            let mut parent = Neighbour { vertex: from, distance: distance.value() };
             let Node { to_goal, is_expanded, .. } = self.nodes[to.index()];
-            if cost >= former || cost + to_goal >= self.best.bound() {
+            let is_useful = |best: &BestTree<S>, distance: f64| {
+                let cost = best.tree.cost(from) + distance;
+                cost < best.tree.cost(to) && cost + to_goal < best.bound()
+            };
+            if !is_useful(&self.best, parent.distance) {
                 continue;
             }
-            let parent = Neighbour { vertex: from, distance };
+            // No motion costs less than its length.
+            let [a, b] = [from, to].map(|vertex| self.best.growth.graph.state(vertex));
+            parent.distance += problem.validity().nearness_cost(a, b);
+            if !is_useful(&self.best, parent.distance) {
+                continue;
+            }
             if self.best.try_parent(problem, iteration, to, parent) {
                 self.best.approach(to, to_goal);
                 if !is_expanded {

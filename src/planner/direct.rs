@@ -1,8 +1,8 @@
 //! The straight motion from start to goal, tried before anything else.
 //!
 //! A planner of one query ends with it if it is free: its first iteration then adds the edge and nothing else. A planner that
-//! goes on to shorter paths ends with it if it leads to the nearest goal, as no path is shorter. Roadmaps have it as an edge in
-//! any case: see [`Roadmap::connect_ends`](super::Roadmap).
+//! goes on to better paths ends with it if it leads to the nearest goal and costs no more than its length, as no path is
+//! cheaper. Roadmaps have it as an edge in any case: see [`Roadmap::connect_ends`](super::Roadmap).
 
 use super::growth::{Growth, START, goals};
 use super::{Phase, Planner, Status};
@@ -40,6 +40,9 @@ impl<S: Space> Direct<S> {
             let growth = self.planner.growth_mut();
             let state = growth.state(goal);
             if growth.is_motion_free(problem, problem.start(), &state) {
+                if self.improves && problem.validity().nearness_cost(problem.start(), &state) > 0.0 {
+                    return None;
+                }
                 growth.graph.add_edge(iteration, START, goal);
                 growth.add_event(EventKind::SolutionFound, iteration, Some(goal), Some(START), state);
                 return Some((goal, distance));

@@ -172,6 +172,9 @@ impl<S: Space> FmtStar<S> {
         if around.is_empty() {
             let state = self.best.growth.state(vertex);
             find_near(problem, &mut self.best.growth, &self.index, (Direction::In, &state), neighbourhood, around);
+            for near in &mut *around {
+                near.distance += problem.validity().nearness_cost(self.best.growth.graph.state(near.vertex), &state);
+            }
         }
         self.best.growth.looked += around.len() as u64;
         let open = around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
@@ -198,7 +201,9 @@ impl<S: Space> FmtStar<S> {
             if self.stages[to] != Stage::Waiting {
                 continue;
             }
-            let from = Neighbour { vertex: at.vertex, distance: near.distance };
+            let [a, b] = [at.vertex, near.vertex].map(|vertex| self.best.growth.graph.state(vertex));
+            let distance = near.distance + problem.validity().nearness_cost(a, b);
+            let from = Neighbour { vertex: at.vertex, distance };
             let parent = self.parent(problem, at.neighbourhood, near.vertex, from);
             if self.refused[to].contains(&parent.vertex) {
                 continue;

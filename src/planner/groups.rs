@@ -106,6 +106,17 @@ crate::options! {
 }
 
 crate::options! {
+    /// What the nearness of obstacles costs: at a clearance c every metre costs weight * max(0, 1 - c / within) besides its
+    /// length. The clearance is that of [`Clearance`](crate::run::Clearance).
+    pub struct KeepingAway for &["disc"];
+    /// Cost of a metre at contact besides its length: paths keep away from obstacles, more the larger it is; 0 counts lengths.
+    clearance_weight: f64 = 0.0, in 0.0..=1e6, "Keep away", unit "m per m";
+    /// Clearance from which on nothing is added to lengths.
+    clearance_within: Option<f64>, in 1e-6..=1e7, "Keep away within", unit "m",
+        else "a twentieth of the world's longer side";
+}
+
+crate::options! {
     /// When a run ends, and how closely motions are checked.
     pub struct Limits for crate::options::ALL;
     /// Clearance below which a free motion may be rejected: less fits narrower gaps but takes longer.
@@ -148,6 +159,8 @@ crate::options! {
     improving: Improving;
     /// The metric.
     measuring: MetricOptions;
+    /// What the nearness of obstacles costs.
+    keeping_away: KeepingAway;
     /// Curves between placements of a car: the shortest forward (dubins), or with reversals (reeds-shepp).
     steering: Option<Steering>, "Steering", else "reeds-shepp for a car with a reverse gear, else dubins", for CAR;
     /// When a run ends.
@@ -206,7 +219,7 @@ crate::options! {
     improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
     /// Number of clearance evaluations after which to stop, with or without a path.
     stop_evaluations: Option<u64>, in 1.0..=1e15, "Evaluations", else "any number";
-    /// Length of a path that is short enough, as results report it: metres of a disc or a car, radians of an arm.
+    /// Length of a path that is short enough, as results report it, or its cost if it keeps away from obstacles.
     stop_cost: Option<f64>, in 0.0..=1e9, "Length at most", unit "length of the path", else "none is";
     /// Number of iterations without a shorter path after which to stop.
     stop_stale: Option<u32>, in 1.0..=1e9, "No shorter for", else "any number";

@@ -47,7 +47,7 @@ impl<S: Space> Roadmap<S> {
         self.candidates.as_ref().map_or(f64::INFINITY, |candidates| candidates.search.cost())
     }
 
-    /// What an edge costs.
+    /// What an edge costs at least: its length, or 1.
     pub(super) fn cost(&self, space: &S, [from, to]: [VertexId; 2]) -> f64 {
         let [a, b] = [from, to].map(|end| self.growth.graph.state(end));
         if counts_edges(self.rules) { 1.0 } else { space.distance(a, b) }
@@ -104,7 +104,10 @@ impl<S: Space> Roadmap<S> {
             self.candidates_mut().unchecked[end.index()] = false;
         }
         let is_free = self.growth.is_motion_free(problem, &states[0], &states[1]);
-        let surcharge = is_free.then(|| problem.validity().surcharge(&states[0], &states[1]));
+        let [a, b] = &states;
+        let validity = problem.validity();
+        let nearness = || if counts_edges(self.rules) { 0.0 } else { validity.nearness_cost(a, b) };
+        let surcharge = is_free.then(|| validity.surcharge(a, b) + nearness());
         self.settle(iteration, edge, surcharge);
     }
 

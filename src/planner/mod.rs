@@ -35,8 +35,8 @@ pub use bit_star::BitStarOptions;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use fmt_star::FmtStarOptions;
 pub use groups::{
-    DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, Overgrowth, SamplerKind,
-    Sampling, StopWhen, Termination,
+    DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, KeepingAway, Limits, MetricOptions, Overgrowth,
+    SamplerKind, Sampling, StopWhen, Termination,
 };
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};

@@ -31,7 +31,7 @@ crate::choice! {
 crate::choice! {
     /// What an edge costs.
     pub enum Cost {
-        /// Its length in the metric of the space.
+        /// Its length in the metric of the space, and what the nearness of obstacles adds.
         Metric,
         /// 1.
         Hops,
@@ -133,7 +133,7 @@ impl Query {
         let least = |estimate: &dyn Fn(VertexId) -> f64| {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
-        let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
+        let cost = |a, b| if rules.cost == Cost::Metric { problem.cost(at(a), at(b)) } else { 1.0 };
         let is_guided = matches!(rules.search, Algorithm::AStar | Algorithm::AStarStale);
         let heuristic = |vertex| match (is_guided, rules.heuristic, &problem.end_effector) {
             (true, Heuristic::Metric | Heuristic::MetricAsHops, _) => scale * least(&|goal| distance(vertex, goal)),

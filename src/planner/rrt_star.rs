@@ -160,7 +160,7 @@ impl<S: Space> RrtStar<S> {
         !self.is_informed || bound == f64::INFINITY || cost + problem.distance_to_goal(state) < bound
     }
 
-    /// What the path to a neighbour and on costs.
+    /// What the path to a neighbour and on costs, if the motion on costs its `distance`.
     fn cost_by(&self, neighbour: Neighbour) -> f64 {
         self.best.tree.cost(neighbour.vertex) + neighbour.distance
     }
@@ -186,10 +186,18 @@ impl<S: Space> RrtStar<S> {
             self.best.refuse(iteration, nearest.vertex, None, state);
             return None;
         }
+        nearest.distance += problem.validity().nearness_cost(&origin, &state);
         let limit = self.cost_by(nearest).min(goal.map_or(f64::INFINITY, |goal| self.best.tree.cost(goal)));
         self.find(problem, Direction::In, &state);
-        let found = self.found.iter().map(|&neighbour| (self.cost_by(neighbour), neighbour));
-        let mut cheaper: Vec<_> = found.filter(|&(cost, _)| cost < limit).collect();
+        // No motion costs less than its length.
+        let found = self.found.iter().filter(|&&neighbour| self.cost_by(neighbour) < limit);
+        let costs = found.map(|near| {
+            let from = self.best.growth.graph.state(near.vertex);
+            let added = problem.validity().nearness_cost(from, &state);
+            let neighbour = Neighbour { distance: near.distance + added, ..*near };
+            (self.cost_by(neighbour), neighbour)
+        });
+        let mut cheaper: Vec<_> = costs.filter(|&(cost, _)| cost < limit).collect();
         by_cost(&mut cheaper);
         Some(Choosing { state, goal, nearest, cheaper: cheaper.into_iter() })
     }
@@ -239,10 +247,16 @@ impl<S: Space> RrtStar<S> {
         Some(Offering { vertex, found: std::mem::take(&mut self.found).into_iter() })
     }
 
-    /// Makes a new vertex the parent of a vertex, if the path through it is cheaper and the motion free.
+    /// Makes a new vertex the parent of a vertex at a distance, if the path through it is cheaper and the motion free.
     fn offer(&mut self, problem: &Problem<S>, iteration: u32, new: VertexId, to: Neighbour) {
-        if self.cost_by(Neighbour { vertex: new, ..to }) < self.best.tree.cost(to.vertex) {
-            self.best.try_parent(problem, iteration, to.vertex, Neighbour { vertex: new, ..to });
+        let mut parent = Neighbour { vertex: new, ..to };
+        if self.cost_by(parent) >= self.best.tree.cost(to.vertex) {
+            return;
+        }
+        let [from, at] = [new, to.vertex].map(|vertex| self.best.growth.graph.state(vertex));
+        parent.distance += problem.validity().nearness_cost(from, at);
+        if self.cost_by(parent) < self.best.tree.cost(to.vertex) {
+            self.best.try_parent(problem, iteration, to.vertex, parent);
         }
     }
 

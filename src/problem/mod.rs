@@ -183,6 +183,18 @@ impl<S: Space> Problem<S> {
         self.goals.iter().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
     }
 
+    /// What a free motion costs: its length in the metric of the space, and [what the nearness of obstacles
+    /// adds](Validity::nearness_cost). Never less than the distance.
+    pub fn cost(&self, a: &S::State, b: &S::State) -> f64 {
+        self.space.distance(a, b) + self.validity.nearness_cost(a, b)
+    }
+
+    /// The sum of the costs of the motions from state to state.
+    pub fn path_cost(&self, path: &[S::State]) -> f64 {
+        // The sum of nothing is -0.
+        path.windows(2).map(|pair| self.cost(&pair[0], &pair[1])).sum::<f64>() + 0.0
+    }
+
     /// The distances from the start to a state and from there to the nearest goal: no path through the state is shorter than
     /// their sum.
     pub fn distances_through(&self, state: &S::State) -> [f64; 2] {

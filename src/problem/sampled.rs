@@ -89,6 +89,10 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
         self.points.contacts(state)
     }
 
+    fn nearness_cost(&self, a: &S::State, b: &S::State) -> f64 {
+        self.points.nearness_cost(a, b)
+    }
+
     fn are_free(&self, states: &[S::State]) -> bool {
         self.points.are_free(states)
     }

@@ -21,6 +21,13 @@ pub trait Validity<S>: MaybeSend {
         0.0
     }
 
+    /// What the nearness of obstacles adds to the cost of a free motion from `a` to `b`, 0 or more, in the unit of the space's
+    /// distance: planners minimise the sum of both. The same in both directions if the space is symmetric. The default is 0.
+    fn nearness_cost(&self, a: &S, b: &S) -> f64 {
+        let _ = (a, b);
+        0.0
+    }
+
     /// Whether the configuration is within bounds and touches no obstacle.
     fn is_free(&self, state: &S) -> bool {
         self.contacts(state).is_empty()

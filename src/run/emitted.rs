@@ -19,6 +19,8 @@ pub(super) struct EmittedPath<S: Space> {
     /// The length: along controlled motions that of the dynamics, else in the metric of the space, whose curves are measured
     /// whole. To the bit the cost that planners minimise.
     pub length: f64,
+    /// The length and what the nearness of obstacles adds.
+    pub cost: f64,
     /// Of a car, from each waypoint to the next.
     pub motions: Option<Vec<Motion>>,
     /// The shares of the blends of its inner waypoints; empty if none were tried.
@@ -39,12 +41,13 @@ impl<S: Space> EmittedPath<S> {
                 waypoints.push(end);
             }
         }
-        Self { states: waypoints, length, motions: Some(motions), blends: Vec::new() }
+        Self { states: waypoints, length, cost: length, motions: Some(motions), blends: Vec::new() }
     }
 
     /// The path of straight motions through these states, with these blends.
     pub fn cornered(problem: &Problem<S>, states: Vec<S::State>, blends: Vec<[f64; 2]>) -> Self {
-        Self { length: path::length(problem.space(), &states), states, motions: None, blends }
+        let (length, cost) = (path::length(problem.space(), &states), problem.path_cost(&states));
+        Self { states, length, cost, motions: None, blends }
     }
 
     /// The path along these vertices of the planner's graph, as it was found.
@@ -58,7 +61,7 @@ impl<S: Space> EmittedPath<S> {
         let length_of = |&motion: &Motion| problem.dynamics.as_ref().map_or(0.0, |dynamics| dynamics.length(motion));
         // The sum of nothing is -0.
         let length = motions.iter().map(length_of).sum::<f64>() + 0.0;
-        Self { states, length, motions: Some(motions), blends: Vec::new() }
+        Self { states, length, cost: length, motions: Some(motions), blends: Vec::new() }
     }
 }
 

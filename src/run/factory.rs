@@ -7,10 +7,11 @@ use super::options::{SLOWEST, TURNING_RADII};
 use super::reopen::{Changes, Kept};
 use super::suitable::check_use;
 use super::{Options, Run};
-use crate::collision::{Integration, JointLines};
+use crate::collision::{Integration, JointLines, KeepAway};
 use crate::error::{Code, Error, Number};
+use crate::options::out_of_range;
 use crate::path::{LengthMeasure, Wanted};
-use crate::planner::{EdgeCheck, EdgeOptions, Limits, Planner, PlannerOptions, Termination};
+use crate::planner::{EdgeCheck, EdgeOptions, KeepingAway, Limits, Planner, PlannerOptions, Termination};
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
@@ -19,6 +20,9 @@ use crate::scenario::{GoalTolerance, Query, Robot};
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
+
+/// The clearance from which nothing is added to lengths, if none is given, as a fraction of the world's longer side.
+const DEFAULT_WITHIN: f64 = 0.05;
 
 /// Begins a run, with options or a planner's alone. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that
 /// several runs share.
@@ -187,7 +191,9 @@ impl<'a> Setup<'a> {
         }
         let metric = edges.and_then(|edges| edges.measuring.metric);
         let goals = goals(world, query, index, info.seed)?;
+        let keep_away = edges.map_or(Ok(None), |edges| keep_away(world, edges.keeping_away))?;
         let info = RunInfo {
+            keep_away,
             scenario: scenario.name().to_owned(),
             query: query.name.clone(),
             measure: Some(LengthMeasure::of(scenario.robot(), metric)),
@@ -211,7 +217,8 @@ impl<'a> Setup<'a> {
         let mut goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = {
             let (world, space, tolerance) = (self.world.clone(), space.clone(), self.info.limits.tolerance);
-            move || world.checker(&space, tolerance)
+            let keep_away = self.info.keep_away;
+            move || world.checker(&space, tolerance).keeping_away(keep_away)
         };
         if let Some(most) = self.info.limits.free_ends {
             self.info.move_ends(&space, &*checker().validity(), &mut start, &mut goals, most);
@@ -399,6 +406,26 @@ fn joint_region<const N: usize>(
     let contains =
         move |q: &[f64; N]| space.difference(q, &goal).iter().zip(&most).all(|(gap, most)| gap.abs() <= *most);
     GoalRegion { contains: Box::new(contains), reach }
+}
+
+/// How a disc keeps away from the obstacles of a world; `None` if only lengths count.
+///
+/// # Errors
+/// `out-of-range`, pointer `/clearance_within`, below a 2048th of the world's longer side.
+fn keep_away(world: &PlanningWorld, options: KeepingAway) -> Result<Option<KeepAway>, Error> {
+    let KeepingAway { clearance_weight: weight, clearance_within } = options;
+    if weight == 0.0 {
+        return Ok(None);
+    }
+    let side = world.bounds().longer_side();
+    let (within, least) = (clearance_within.unwrap_or(DEFAULT_WITHIN * side), KeepAway::LEAST * side);
+    if within < least {
+        let least = Number(least);
+        let sentence =
+            format!("clearance_within must be at least {least}, a 2048th of the world's longer side, not {within}");
+        return Err(out_of_range("clearance_within", sentence));
+    }
+    Ok(Some(KeepAway { weight, within }))
 }
 
 /// The metric of a robot that has only one and is not steered, as roadmaps name it.

@@ -2,6 +2,7 @@
 
 use super::Run;
 use super::storage::RoadmapDocument;
+use crate::collision::KeepAway;
 use crate::error::Error;
 use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
@@ -29,6 +30,8 @@ pub(super) struct RunInfo {
     pub edge_check: EdgeCheck,
     /// What lengths measure; `None` if that is not known.
     pub measure: Option<LengthMeasure>,
+    /// How the path keeps away from obstacles; `None` if only lengths count.
+    pub keep_away: Option<KeepAway>,
     /// The margin of the robot, in metres; 0 if it has none.
     pub margin: f64,
     /// The start, if it was moved out of a collision, and the goals that were.

@@ -181,8 +181,9 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn history_count(&self) -> usize;
 
     /// The rows recorded from row `row` on; empty if nothing is recorded. Row i of the run, from 0, is the state after iteration
-    /// i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of [`Run::stats`], the last one the length of the best path so
-    /// far, measured as [`Run::length`], infinite while there is none; it only ever falls. [`Run::finish`] is not an iteration
+    /// i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of [`Run::stats`], the last one the cost of the best path so
+    /// far, infinite while there is none: its length, measured as [`Run::length`], and what the nearness of obstacles adds if it
+    /// keeps away from them ([`ResultDocument::cost`]). It only ever falls. [`Run::finish`] is not an iteration
     /// and adds no row.
     fn history_since(&self, row: usize) -> Vec<f64>;
 
@@ -244,7 +245,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
     /// The length of the path as [`ResultDocument::length`] states it; 0 until solved. While a planner goes on to shorter paths,
-    /// the length of its best is the last column of [`Run::history_since`], and the path [`Run::raw_path`].
+    /// the cost of its best is the last column of [`Run::history_since`], and the path [`Run::raw_path`].
     fn length(&self) -> f64;
 
     /// The first refused points of motions, in the run's own space and by its own test, proven or sampled: `ends` are rows of two

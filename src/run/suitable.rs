@@ -62,5 +62,9 @@ pub(super) fn check_options(changes: &[Change], edges: Option<&EdgeOptions>, rob
         let sentence = "corners are rounded only between proven motions, not with another edge_check";
         return Err(Error::new(Code::Unsupported, "/blend", sentence));
     }
+    if edges.is_some_and(|edges| edges.improving.blend > 0.0 && edges.keeping_away.clearance_weight > 0.0) {
+        let sentence = "corners are rounded only where lengths count alone, not with a clearance_weight";
+        return Err(Error::new(Code::Unsupported, "/blend", sentence));
+    }
     Ok(())
 }

@@ -12,7 +12,7 @@ const SHORTEST: f64 = 1.0 + 1e-12;
 /// The fewest iterations since the first path whose last half shows whether the length has converged.
 const FEWEST: u32 = 1000;
 
-/// The lengths of the paths so far, and the conditions.
+/// The costs of the paths so far, and the conditions.
 #[derive(Debug, Clone)]
 pub(super) struct Progress {
     termination: Termination,
@@ -20,7 +20,7 @@ pub(super) struct Progress {
     least: f64,
     /// Whether the path is as cheap as that.
     is_shortest: bool,
-    /// Each iteration that found a path shorter than all before, and its length.
+    /// Each iteration that found a path cheaper than all before, and its cost.
     falls: Vec<(u32, f64)>,
 }
 
@@ -30,12 +30,12 @@ impl Progress {
         Self { termination, least, is_shortest: false, falls: Vec::new() }
     }
 
-    /// Notes the path after an iteration, if it is shorter than all before: its length, and its cost as the planner counts it.
-    /// O(1).
-    pub fn note(&mut self, iteration: u32, length: f64, cost: f64) {
-        self.is_shortest |= cost <= SHORTEST * self.least;
-        if self.falls.last().is_none_or(|&(_, least)| length < least) {
-            self.falls.push((iteration, length));
+    /// Notes the path after an iteration, if it is cheaper than all before: its cost, as results report it and as the planner
+    /// counts it. O(1).
+    pub fn note(&mut self, iteration: u32, cost: f64, counted: f64) {
+        self.is_shortest |= counted <= SHORTEST * self.least;
+        if self.falls.last().is_none_or(|&(_, least)| cost < least) {
+            self.falls.push((iteration, cost));
         }
     }
 
@@ -43,13 +43,13 @@ impl Progress {
     pub fn is_over(&self, iteration: u32, evaluations: u64) -> bool {
         let Termination { improve_iterations, stop_evaluations, stop_cost, stop_stale, stop_converged, stop_when } =
             self.termination;
-        let length = self.falls.last().map_or(f64::INFINITY, |&(_, length)| length);
+        let cost = self.falls.last().map_or(f64::INFINITY, |&(_, cost)| cost);
         let first = self.falls.first().map(|&(first, _)| iteration - first);
         let last = self.falls.last().map(|&(last, _)| iteration - last);
         let conditions = [
             Some(first.is_some_and(|since| since >= improve_iterations)),
             stop_evaluations.map(|most| evaluations >= most),
-            stop_cost.map(|most| length <= most),
+            stop_cost.map(|most| cost <= most),
             stop_stale.map(|most| last.is_some_and(|since| since >= most)),
             stop_converged.map(|share| self.has_converged(iteration, share)),
         ];
@@ -67,12 +67,12 @@ impl Progress {
         self.termination.stop_when == StopWhen::All && since >= self.termination.improve_iterations
     }
 
-    /// How many times the path has become shorter.
+    /// How many times the path has become cheaper.
     pub fn falls(&self) -> usize {
         self.falls.len()
     }
 
-    /// Whether the last half of the iterations since the first path shortened it by no more than a share of its length.
+    /// Whether the last half of the iterations since the first path made it cheaper by no more than a share of its cost.
     fn has_converged(&self, iteration: u32, share: f64) -> bool {
         let (Some(&(first, _)), Some(&(_, now))) = (self.falls.first(), self.falls.last()) else { return false };
         let half = (iteration - first) / 2;

@@ -1,5 +1,5 @@
 //! The improvement of a path, one attempt at a time: first its vertices are reduced, then come shortcuts, then shortcuts of one
-//! coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never gets longer, and
+//! coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never costs more, and
 //! is valid at any time.
 
 mod blend;

@@ -30,9 +30,9 @@ impl Reduction {
         let (a, b) = (path[self.from], path[self.to]);
         let mut reduced = path[..=self.from].to_vec();
         reduced.extend_from_slice(&path[self.to..]);
-        // The triangle inequality holds except for rounding.
-        let is_shorter = super::length(problem.space(), &reduced) <= super::length(problem.space(), path);
-        if is_shorter && is_free(problem, &[a, b], checks) {
+        // The triangle inequality holds except for rounding, and of lengths alone.
+        let is_cheaper = problem.path_cost(&reduced) <= problem.path_cost(path);
+        if is_cheaper && is_free(problem, &[a, b], checks) {
             *path = reduced;
             self.to = self.from + 1;
         } else {

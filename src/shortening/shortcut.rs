@@ -1,6 +1,6 @@
-//! Shortcuts: random detours of a path replaced by straight motions that are proven free. Partial shortcuts: between two
-//! positions of a path one coordinate goes straight, the others as before. This removes needless motion of one joint if all
-//! joints together cannot go straight.
+//! Shortcuts: random detours of a path replaced by straight motions that are proven free and cost less. Partial shortcuts:
+//! between two positions of a path one coordinate goes straight, the others as before. This removes needless motion of one joint
+//! if all joints together cannot go straight.
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
@@ -9,7 +9,7 @@ use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::{MAX_DIMENSION, Space};
 
-/// Draws two positions along the path and replaces the part between them by a straight motion, if that is shorter and the new
+/// Draws two positions along the path and replaces the part between them by a straight motion, if that is cheaper and the new
 /// motions are proven free: at most three motion checks. O(path).
 pub(super) fn shortcut<S: Space>(
     problem: &Problem<S>,
@@ -21,7 +21,7 @@ pub(super) fn shortcut<S: Space>(
     let Some([from, to]) = two_positions(space, path, random) else { return };
     let (before, after) = (path[from.edge], path[to.edge + 1]);
     let detour = [&[from.state], &path[from.edge + 1..=to.edge], &[to.state]].concat();
-    if space.distance(&from.state, &to.state) >= super::length(space, &detour) {
+    if problem.cost(&from.state, &to.state) >= problem.path_cost(&detour) {
         return;
     }
     // The pieces of the cut edges are proven again: rounding may move them by a bit off the edges.
@@ -29,12 +29,12 @@ pub(super) fn shortcut<S: Space>(
         return;
     }
     let new = replaced::<S>(path, [from, to], &[]);
-    if super::length(space, &new) < super::length(space, path) {
+    if problem.path_cost(&new) < problem.path_cost(path) {
         *path = new;
     }
 }
 
-/// Draws two positions along the path and a coordinate, and straightens it between them, if the path becomes shorter and
+/// Draws two positions along the path and a coordinate, and straightens it between them, if the path becomes cheaper and
 /// all of its new motions are proven free: as many motion checks as there are edges between the positions. O(path).
 pub(super) fn partial_shortcut<S: Space>(
     problem: &Problem<S>,
@@ -56,7 +56,7 @@ pub(super) fn partial_shortcut<S: Space>(
         between.push(with_coordinate(space, &pair[1], coordinate, &straight));
     }
     let new = replaced::<S>(path, [from, to], &between);
-    if super::length(space, &new) >= super::length(space, path) {
+    if problem.path_cost(&new) >= problem.path_cost(path) {
         return;
     }
     let (before, after) = (path[from.edge], path[to.edge + 1]);

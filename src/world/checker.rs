@@ -1,7 +1,8 @@
 //! The collision checker of a robot in one of its spaces, before it is passed to a planner.
 
 use crate::collision::{
-    ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration, Tolerance,
+    ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration, KeepAway,
+    Tolerance,
 };
 use crate::geometry::Aabb;
 use crate::problem::{Dynamics, Validity};
@@ -35,6 +36,15 @@ impl<const N: usize> Checker<N> {
             Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),
             Robot::RigidBody(rigid) => body(&rigid.shape, "the body"),
             Robot::Car(car) => body(car.shape(), "the car"),
+        }
+    }
+
+    /// The same, whose motions cost more near obstacles if it is a disc.
+    #[must_use]
+    pub(crate) fn keeping_away(self, keep_away: Option<KeepAway>) -> Self {
+        match self {
+            Self::Disc(disc) => Self::Disc(disc.keeping_away(keep_away)),
+            other => other,
         }
     }
 

@@ -49,7 +49,7 @@ const PRINTED = {
     /^solved \d+\n$/,
     /^(?:solved [1-9]\d* motions\n){2}0\.\d+\n$/,
     /^\d+\.\d\d % longer true \d+\n$/,
-    /^1\d\.\d+ \d+\n$/,
+    /^2\.\d+ \d+\n$/,
     /^solved proven true\nsolved solved\n$/,
     /^solved true\n$/,
     /^infeasible [1-9]\d* 0 [\d.e-]+\n$/,

@@ -3,8 +3,10 @@
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
+use super::near::near;
 use super::{Examined, Scale};
 use crate::geometry::{Point, Segment, Vector};
+use crate::path::PathCost;
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
 
@@ -58,6 +60,42 @@ pub(super) fn check(
     examined.samples += checker.examined.samples;
     examined.clearance = examined.clearance.min(checker.examined.clearance);
     Ok(examined)
+}
+
+/// The steps of a cost's recomputation, as a part of the clearance from which nothing is added, and the most of an edge.
+const STEP: f64 = 1.0 / 64.0;
+const MOST_STEPS: f64 = 200_000.0;
+
+/// What costs may differ by, as a part of the weight times the length.
+const COST: f64 = 1.0 / 32.0;
+
+/// Returns an error if the given cost is not that of the path, by the trapezoidal rule.
+pub(super) fn check_cost(world: &World, disc: &DiscRobot, path: &[Vec<f64>], cost: &PathCost) -> Result<(), String> {
+    let &PathCost { value, weight, within } = cost;
+    if !(within > 0.0 && [value, weight, within].iter().all(|number| number.is_finite())) {
+        return Err(format!("the cost is given as {value}, with the weight {weight} within {within} m"));
+    }
+    let radius = disc.kept_radius();
+    let (mut length, mut nearness) = (0.0, 0.0);
+    for ends in path.windows(2) {
+        let [a, b] = [0, 1].map(|i| Point::new(ends[i][0], ends[i][1]));
+        let near = near(&world.obstacles, &Segment::new(a, b).aabb(), radius + within);
+        let at = |t: f64| {
+            let p = a + t * (b - a);
+            let distances = near.iter().map(|near| near.obstacle.distance_to_segment(&Segment::new(p, p)) - radius);
+            (1.0 - distances.fold(within, f64::min) / within).min(1.0)
+        };
+        let whole = (b - a).norm();
+        let steps = libm::ceil(whole / (STEP * within)).clamp(1.0, MOST_STEPS);
+        let inner: f64 = (1..steps as u32).map(|i| at(f64::from(i) / steps)).sum();
+        nearness += whole / steps * (inner + 0.5 * (at(0.0) + at(1.0)));
+        length += whole;
+    }
+    let measured = length + weight * nearness;
+    if (value - measured).abs() > COST * weight * length + 1e-6 * measured {
+        return Err(format!("the cost is given as {value}, but that of the path is {measured}"));
+    }
+    Ok(())
 }
 
 /// Which ends of the edge are in contact.

@@ -190,6 +190,9 @@ fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[
     let blends = Quadratic::blends(&robot.circles(), path, shares);
     let examined = examine(world, robot, path, &blends, &scale)?;
     check_length(robot, result, &blends)?;
+    if let (Robot::Disc(disc), Some(cost)) = (robot, &result.cost) {
+        disc::check_cost(world, disc, path, cost)?;
+    }
     Ok(examined)
 }
 
@@ -277,7 +280,15 @@ fn is_clearly_free(scenario: &Scenario, q: &[f64]) -> bool {
 /// Returns an error if the result says what no result for this robot, or none that is solved, can say.
 fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
     let ResultDocument {
-        motions, integration, blended_length, chord_length, edge_check, coverage, approximate, ..
+        motions,
+        integration,
+        blended_length,
+        chord_length,
+        cost,
+        edge_check,
+        coverage,
+        approximate,
+        ..
     } = result;
     let is_car = matches!(robot, Robot::Car(_));
     for (name, is_there) in [
@@ -285,6 +296,7 @@ fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
         ("integration", integration.is_some() && !is_car),
         ("chord_length", chord_length.is_some() && !is_car),
         ("blended_length", blended_length.is_some() && is_car),
+        ("cost", cost.is_some() && !matches!(robot, Robot::Disc(_))),
     ] {
         if is_there {
             return Err(format!("it has \"{name}\", which no result for the robot {} has", robot.kind()));

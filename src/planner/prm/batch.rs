@@ -7,6 +7,7 @@ use super::connect::Connect;
 use crate::graph::VertexId;
 use crate::graph::search::{Edge, EdgeState};
 use crate::nearest::Neighbourhood;
+use crate::planner::candidates::counts_edges;
 use crate::planner::lazy::LazyPlanner;
 use crate::planner::query::Searching;
 use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
@@ -153,7 +154,9 @@ pub fn resume<S: Space + 'static>(
     for edge in edges {
         let ends @ [from, to] = edge.map(|vertex| vertices[vertex as usize].expect("every state is a vertex"));
         if is_lazy {
-            let cost = roadmap.cost(problem.space(), ends);
+            let [a, b] = ends.map(|end| roadmap.graph().state(end));
+            let added = if counts_edges(rules) { 0.0 } else { problem.validity().nearness_cost(a, b) };
+            let cost = roadmap.cost(problem.space(), ends) + added;
             roadmap.add_edge(Edge { ends, cost, state: EdgeState::Proven });
         } else {
             roadmap.growth.graph.add_edge(0, from, to);
@@ -202,11 +205,14 @@ pub fn reopen<S: Space + 'static>(
     };
     for Edge { ends, cost, state } in edges {
         let [from, to] = ends.map(|end| kept.graph().state(end));
+        // What an edge costs besides its length may have changed: it is asked for when the motion is proven again.
+        let least = kept.cost(space, ends);
         let is_open = match state {
             EdgeState::Assumed => true,
-            EdgeState::Proven => added(from, to),
+            EdgeState::Proven => added(from, to) || cost > least || problem.validity().nearness_cost(from, to) > 0.0,
             EdgeState::Refused => removed(from, to),
         };
+        let cost = if is_open { least } else { cost };
         if let [Some(from), Some(to)] = ends.map(|end| vertices[end.index()]) {
             roadmap.add_edge(Edge { ends: [from, to], cost, state: if is_open { EdgeState::Assumed } else { state } });
         }

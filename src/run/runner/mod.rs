@@ -8,10 +8,11 @@ use super::Run;
 use super::info::{EmptyRoadmap, Reopen, RunInfo};
 use super::termination::{Limiting, Progress};
 use super::work::Weights;
-use crate::path::{self, Improvement};
+use crate::path::Improvement;
 use crate::planner::{Phase, Planner, Reason, Status};
 use crate::problem::Problem;
 use crate::space::Space;
+use std::cell::Cell;
 
 /// The run of one planner on one problem.
 pub(super) struct Runner<S: Space> {
@@ -31,15 +32,15 @@ pub(super) struct Runner<S: Space> {
     weights: Weights,
     /// The lengths of the paths so far, if the planner goes on to shorter ones.
     progress: Option<Progress>,
-    /// The length of the planner's path, and the planner's cost for which it was computed; both are infinite without a path.
-    length: f64,
+    /// The cost of the planner's path, and that by the planner's count for which it was computed; infinite without a path.
+    path_cost: f64,
     cost: f64,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
     /// The rows of recorded iterations that have not been taken yet; `None` if iterations are not recorded.
     history: Option<Vec<f64>>,
     /// Clearance evaluations and unproven motions on behalf of viewers, not of the run.
-    viewer_work: [u64; 2],
+    viewer_work: Cell<[u64; 2]>,
 }
 
 impl<S: Space> Runner<S> {
@@ -65,11 +66,11 @@ impl<S: Space> Runner<S> {
             status: Status::Running,
             reason: None,
             progress,
-            length: f64::INFINITY,
+            path_cost: f64::INFINITY,
             cost: f64::INFINITY,
             improvement: None,
             history: None,
-            viewer_work: [0; 2],
+            viewer_work: Cell::default(),
         }
     }
 
@@ -145,9 +146,20 @@ impl<S: Space> Runner<S> {
         gained
     }
 
+    /// What is found for viewers and results: its work is not counted as that of the run.
+    fn for_viewers<T>(&self, find: impl FnOnce() -> T) -> T {
+        let validity = self.problem.validity();
+        let work = || [validity.clearance_evaluations(), validity.unproven_motions()];
+        let (before, counted) = (work(), self.viewer_work.get());
+        let found = find();
+        let after = work();
+        self.viewer_work.set([0, 1].map(|i| counted[i] + after[i] - before[i]));
+        found
+    }
+
     /// Clearance evaluations of the run so far.
     fn evaluations(&self) -> u64 {
-        let own = self.problem.validity().clearance_evaluations() - self.viewer_work[0];
+        let own = self.problem.validity().clearance_evaluations() - self.viewer_work.get()[0];
         self.planner.growth().counters.clearance_evaluations + own
     }
 
@@ -156,19 +168,19 @@ impl<S: Space> Runner<S> {
         self.weights.work(u64::from(self.iteration), self.planner.growth(), self.evaluations())
     }
 
-    /// Computes the length of the planner's path, if that has changed. O(1) if not.
+    /// Computes the cost of the planner's path, if that has changed. O(1) if not.
     fn measure(&mut self) {
         let cost = self.planner.cost();
-        if cost == self.cost && self.length < f64::INFINITY {
+        if cost == self.cost && self.path_cost < f64::INFINITY {
             return;
         }
         let path = self.raw();
         if path.states.is_empty() {
             return;
         }
-        (self.cost, self.length) = (cost, path.length);
+        (self.cost, self.path_cost) = (cost, path.cost);
         if let Some(progress) = &mut self.progress {
-            progress.note(self.iteration, self.length, cost);
+            progress.note(self.iteration, self.path_cost, cost);
         }
     }
 
@@ -187,11 +199,11 @@ impl<S: Space> Runner<S> {
         self.improvement = Some(improvement);
     }
 
-    /// The length of the best path so far; infinite while there is none.
+    /// The cost of the best path so far; infinite while there is none.
     fn cost(&self) -> f64 {
         if let Some(improvement) = self.improvement.as_ref().filter(|_| self.planner.graph().motions().is_empty()) {
-            return path::length(self.problem.space(), improvement.path());
+            return self.for_viewers(|| self.problem.path_cost(improvement.path()));
         }
-        self.length
+        self.path_cost
     }
 }

@@ -1,9 +1,10 @@
 //! What a run reports: its path, its counts, and its result document.
 
 use super::Runner;
+use crate::collision::KeepAway;
 use crate::graph::MAX_RECORDS;
 use crate::options::Choice;
-use crate::path::{self, Approximate, Blending, ResultDocument};
+use crate::path::{self, Approximate, Blending, PathCost, ResultDocument};
 use crate::planner::{EdgeCheck, Limits, Reason, Status};
 use crate::run::emitted::EmittedPath;
 use crate::run::{HISTORY_WIDTH, Run};
@@ -12,12 +13,12 @@ use crate::space::Space;
 impl<S: Space> Runner<S> {
     /// The planner's path as it found it; empty until then.
     pub(super) fn raw(&self) -> EmittedPath<S> {
-        EmittedPath::along(&self.problem, self.planner.graph(), &self.planner.path())
+        self.for_viewers(|| EmittedPath::along(&self.problem, self.planner.graph(), &self.planner.path()))
     }
 
     /// The path as it is reported; empty until solved.
     pub(super) fn emitted(&self) -> EmittedPath<S> {
-        match &self.improvement {
+        self.for_viewers(|| match &self.improvement {
             // A path of controlled motions is reported as it was found: it cannot be improved.
             Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
             Some(improvement) if self.status == Status::Solved => match improvement.blending() {
@@ -27,7 +28,7 @@ impl<S: Space> Runner<S> {
                 None => EmittedPath::through(&self.problem, improvement.path()),
             },
             _ => EmittedPath::through(&self.problem, &[]),
-        }
+        })
     }
 
     pub(super) fn rows(&self, states: &[S::State]) -> Vec<Vec<f64>> {
@@ -42,7 +43,7 @@ impl<S: Space> Runner<S> {
         }
         let nearest = self.planner.graph().state(vertices[vertices.len() - 1]);
         let goal_distance = self.problem.distance_to_goal(nearest);
-        let path = EmittedPath::along(&self.problem, self.planner.graph(), &vertices);
+        let path = self.for_viewers(|| EmittedPath::along(&self.problem, self.planner.graph(), &vertices));
         Some(Approximate { path: self.rows(&path.states), motions: path.motions, goal_distance })
     }
 
@@ -78,7 +79,7 @@ impl<S: Space> Runner<S> {
         path: EmittedPath<S>,
     ) -> ResultDocument {
         let is_driven = !self.planner.graph().motions().is_empty() && !path.states.is_empty();
-        let length = path.length;
+        let (length, value) = (path.length, path.cost);
         let saving = path::blend_saving(self.problem.space(), &path.states, &path.blends);
         let is_blended = !path.blends.is_empty();
         ResultDocument {
@@ -97,6 +98,7 @@ impl<S: Space> Runner<S> {
             chord_length: is_driven.then(|| path::length(self.problem.space(), &path.states)),
             motions: path.motions,
             integration: self.info.is_euler.then(|| "euler".to_owned()),
+            cost: self.info.keep_away.map(|KeepAway { weight, within }| PathCost { value, weight, within }),
             margin: (self.info.margin > 0.0).then_some(self.info.margin),
             stats: self.stats(),
             fingerprint: self.fingerprint(),

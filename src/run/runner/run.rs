@@ -190,12 +190,8 @@ impl<S: Space> Run for Runner<S> {
 
     fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error> {
         let motions = questions::motions(self.problem.space(), ends)?;
-        let validity = self.problem.validity();
-        let work = || [validity.clearance_evaluations(), validity.unproven_motions()];
-        let before = work();
-        let hits = motions.iter().map(|[from, to]| validity.first_hit(from, to).unwrap_or(1.0)).collect();
-        let after = work();
-        (0..2).for_each(|i| self.viewer_work[i] += after[i] - before[i]);
+        let first_hit = |[from, to]: &[S::State; 2]| self.problem.validity().first_hit(from, to).unwrap_or(1.0);
+        let hits = self.for_viewers(|| motions.iter().map(first_hit).collect());
         self.failure().map_or(Ok(hits), Err)
     }
 
@@ -203,7 +199,7 @@ impl<S: Space> Run for Runner<S> {
         let counters = self.planner.growth().counters;
         let improvement_checks = self.improvement.as_ref().map_or(0, |improvement| improvement.motion_checks);
         let validity = self.problem.validity();
-        let [evaluations, unproven] = self.viewer_work;
+        let [evaluations, unproven] = self.viewer_work.get();
         Stats {
             iterations: self.iterations(),
             work: self.work(),
@@ -261,7 +257,7 @@ impl<S: Space> Run for Runner<S> {
             (true, false) => (Status::Exhausted, Some(Reason::SearchFailed)),
             (false, _) => (Status::Solved, None),
         };
-        let path = EmittedPath::through(&self.problem, &found.path);
+        let path = self.for_viewers(|| EmittedPath::through(&self.problem, &found.path));
         Ok(self.document(ASKED, ended, path))
     }
 

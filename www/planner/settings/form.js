@@ -33,6 +33,7 @@ const GROUPS = [
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],
   ["Neighbours", ["near", "radius", "radius_factor", "neighbour_index", "neighbour_metric"]],
   ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance", "direct"]],
+  ["Obstacles", ["clearance_weight", "clearance_within"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path shortening", ["reduce", "shortcut", "partial_shortcut", "path_shortcuts", "blend"]],
   ["Termination", ["improve_iterations", "stop_evaluations", "stop_cost", "stop_stale", "stop_converged", "stop_when"]],

@@ -18,10 +18,10 @@ const WITHIN: f64 = 1.5;
 /// on average to this share of it.
 const PLANNERS: [(&str, &str, f64); 8] = [
     ("bit-star", "improve_iterations=8000", 1.02),
-    ("rrt-star", "improve_iterations=3000", 1.02),
-    ("informed-rrt-star", "improve_iterations=3000", 1.02),
+    ("rrt-star", "improve_iterations=600", 1.04),
+    ("informed-rrt-star", "improve_iterations=600", 1.04),
     ("aorrtc", "improve_iterations=3000", 1.1),
-    ("lazy-prm-star", "improve_iterations=6000", 1.02),
+    ("lazy-prm-star", "improve_iterations=8000", 1.02),
     ("fmt-star", "samples=1500", 1.05),
     ("prm", "samples=1500", 1.05),
     ("lazy-prm", "samples=1500", 1.05),

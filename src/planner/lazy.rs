@@ -47,10 +47,10 @@ impl<S: Space> Roadmap<S> {
         self.candidates.as_ref().map_or(f64::INFINITY, |candidates| candidates.search.cost())
     }
 
-    /// What an edge costs at least: its length, or 1.
-    pub(super) fn cost(&self, space: &S, [from, to]: [VertexId; 2]) -> f64 {
+    /// What an edge costs if it is free.
+    pub(super) fn cost(&self, problem: &Problem<S>, [from, to]: [VertexId; 2]) -> f64 {
         let [a, b] = [from, to].map(|end| self.growth.graph.state(end));
-        if counts_edges(self.rules) { 1.0 } else { space.distance(a, b) }
+        if counts_edges(self.rules) { 1.0 } else { problem.cost(a, b) }
     }
 
     /// Adds an edge of a lazy roadmap; one that is proven is an edge of the graph.
@@ -63,7 +63,8 @@ impl<S: Space> Roadmap<S> {
     }
 
     /// Adds a candidate, unless there is that edge.
-    pub(super) fn add_candidate(&mut self, space: &S, ends: [VertexId; 2]) {
+    pub(super) fn add_candidate(&mut self, problem: &Problem<S>, ends: [VertexId; 2]) {
+        let space = problem.space();
         let search = &self.candidates_mut().search;
         let is_same = |edge: u32| {
             let [from, to] = search.edges()[edge as usize].ends;
@@ -73,7 +74,7 @@ impl<S: Space> Roadmap<S> {
         let is_there = search.edges_at(ends[0]).inspect(|_| looked += 1).any(is_same);
         self.growth.looked += looked;
         if !is_there {
-            self.add_edge(Edge { ends, cost: self.cost(space, ends), state: EdgeState::Assumed });
+            self.add_edge(Edge { ends, cost: self.cost(problem, ends), state: EdgeState::Assumed });
         }
     }
 
@@ -104,10 +105,7 @@ impl<S: Space> Roadmap<S> {
             self.candidates_mut().unchecked[end.index()] = false;
         }
         let is_free = self.growth.is_motion_free(problem, &states[0], &states[1]);
-        let [a, b] = &states;
-        let validity = problem.validity();
-        let nearness = || if counts_edges(self.rules) { 0.0 } else { validity.nearness_cost(a, b) };
-        let surcharge = is_free.then(|| validity.surcharge(a, b) + nearness());
+        let surcharge = is_free.then(|| problem.validity().surcharge(&states[0], &states[1]));
         self.settle(iteration, edge, surcharge);
     }
 
@@ -157,7 +155,7 @@ impl<S: Space> Roadmap<S> {
         for end in ends {
             roadmap.add_vertex(space, iteration, end);
         }
-        edges.into_iter().for_each(|ends| roadmap.add_candidate(space, ends));
+        edges.into_iter().for_each(|ends| roadmap.add_candidate(problem, ends));
         let goals = goal..VertexId(goal.0 + 1);
         let (graph, rules) = (&roadmap.growth.graph, roadmap.rules);
         let estimate = |vertex| estimate(space, graph, rules, &goals, vertex);

@@ -113,7 +113,7 @@ impl<S: Space> Roadmap<S> {
     /// In a lazy roadmap the edge becomes a candidate.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
         if self.candidates.is_some() {
-            self.add_candidate(problem.space(), [from, to]);
+            self.add_candidate(problem, [from, to]);
             return false;
         }
         let (origin, target) = (self.growth.state(from), self.growth.state(to));

@@ -7,7 +7,6 @@ use super::connect::Connect;
 use crate::graph::VertexId;
 use crate::graph::search::{Edge, EdgeState};
 use crate::nearest::Neighbourhood;
-use crate::planner::candidates::counts_edges;
 use crate::planner::lazy::LazyPlanner;
 use crate::planner::query::Searching;
 use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
@@ -154,9 +153,7 @@ pub fn resume<S: Space + 'static>(
     for edge in edges {
         let ends @ [from, to] = edge.map(|vertex| vertices[vertex as usize].expect("every state is a vertex"));
         if is_lazy {
-            let [a, b] = ends.map(|end| roadmap.graph().state(end));
-            let added = if counts_edges(rules) { 0.0 } else { problem.validity().nearness_cost(a, b) };
-            let cost = roadmap.cost(problem.space(), ends) + added;
+            let cost = roadmap.cost(problem, ends);
             roadmap.add_edge(Edge { ends, cost, state: EdgeState::Proven });
         } else {
             roadmap.growth.graph.add_edge(0, from, to);
@@ -174,7 +171,8 @@ pub fn resume<S: Space + 'static>(
 /// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two
 /// states whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former
 /// are to be proven again, motions that were refused and may touch the latter are candidates again, and all others stay as they
-/// are. Former ends that are ends no longer are no vertices any more. O(states + edges), and the index of neighbours.
+/// are; [surcharges](crate::problem::Validity::surcharge) are known of those alone that are proven again. Former ends that are ends
+/// no longer are no vertices any more. O(states + edges), and the index of neighbours.
 pub fn reopen<S: Space + 'static>(
     problem: &Problem<S>,
     kept: &Roadmap<S>,
@@ -195,7 +193,7 @@ pub fn reopen<S: Space + 'static>(
         let candidates = roadmap.candidates.as_mut().expect("the roadmap is lazy");
         candidates.unchecked[vertex.index()] = was_unchecked || added(state, state);
     }
-    let tried = |ends: &[VertexId; 2], state| Edge { ends: *ends, cost: kept.cost(space, *ends), state };
+    let tried = |ends: &[VertexId; 2], state| Edge { ends: *ends, cost: kept.cost(problem, *ends), state };
     let edges: Vec<Edge> = match &kept.candidates {
         Some(candidates) => candidates.search.edges().to_vec(),
         None => {
@@ -203,17 +201,16 @@ pub fn reopen<S: Space + 'static>(
             proven.chain(kept.refused.iter().map(|ends| tried(ends, EdgeState::Refused))).collect()
         }
     };
-    for Edge { ends, cost, state } in edges {
+    for Edge { ends, state, .. } in edges {
         let [from, to] = ends.map(|end| kept.graph().state(end));
-        // What an edge costs besides its length may have changed: it is asked for when the motion is proven again.
-        let least = kept.cost(space, ends);
         let is_open = match state {
             EdgeState::Assumed => true,
-            EdgeState::Proven => added(from, to) || cost > least || problem.validity().nearness_cost(from, to) > 0.0,
+            EdgeState::Proven => added(from, to),
             EdgeState::Refused => removed(from, to),
         };
-        let cost = if is_open { least } else { cost };
         if let [Some(from), Some(to)] = ends.map(|end| vertices[end.index()]) {
+            // What is near may have changed.
+            let cost = kept.cost(problem, ends);
             roadmap.add_edge(Edge { ends: [from, to], cost, state: if is_open { EdgeState::Assumed } else { state } });
         }
     }

@@ -64,7 +64,7 @@ impl PlannerKind for LazyPrmStarOptions {
         let connection = Neighbourhood::Nearest(prm_star_k(2, space.dimension()));
         let mut roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(space);
         for goal in roadmap.goals.start.0..roadmap.goals.end.0 {
-            roadmap.add_candidate(space, [START, VertexId(goal)]);
+            roadmap.add_candidate(problem, [START, VertexId(goal)]);
         }
         let builder = Sampled { sampler: self.sampling.sampler(space, seed) };
         Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), true, true)))

@@ -19,7 +19,7 @@ const WITHIN: f64 = 1.5;
 const PLANNERS: [(&str, &str, f64); 8] = [
     ("bit-star", "improve_iterations=8000", 1.02),
     ("rrt-star", "improve_iterations=600", 1.04),
-    ("informed-rrt-star", "improve_iterations=600", 1.04),
+    ("informed-rrt-star", "improve_iterations=600", 1.05),
     ("aorrtc", "improve_iterations=3000", 1.1),
     ("lazy-prm-star", "improve_iterations=8000", 1.02),
     ("fmt-star", "samples=1500", 1.05),
@@ -107,6 +107,7 @@ fn on_grid(world: &Scenario, lines: usize, [start, goal]: [[usize; 2]; 2]) -> f6
 #[wasm_bindgen_test(unsupported = test)]
 fn planners_come_near_the_best_path_of_a_fine_grid() {
     const LINES: usize = 101;
+    const LEAST: f64 = 0.97;
     let (mut compared, mut sums) = (0, [0.0; PLANNERS.len()]);
     for seed in 0..cases(100) as u64 {
         let mut random = Random::new(seed, Stream::Samples);
@@ -121,20 +122,26 @@ fn planners_come_near_the_best_path_of_a_fine_grid() {
         if requests::start(&world, &options("rrt-connect", 1, "")).is_err() {
             continue;
         }
-        let least = on_grid(&world, LINES, [[5, 5], [95, 95]]);
+        let mut least = on_grid(&world, LINES, [[5, 5], [95, 95]]);
+        // No path, or one through a gap between the lines of the grid.
+        if least == f64::INFINITY {
+            continue;
+        }
         for (i, (planner, settings, _)) in PLANNERS.into_iter().enumerate() {
-            let Some((run, cost)) = cost(&world, planner, settings) else {
-                assert_eq!(least, f64::INFINITY, "seed {seed}: {planner} found no path");
-                continue;
-            };
-            assert!(cost > 0.97 * least, "seed {seed}: {planner} {cost}, on the grid {least}");
+            let found = cost(&world, planner, settings);
+            let (run, cost) = found.unwrap_or_else(|| panic!("seed {seed}: {planner} found no path"));
+            if cost <= LEAST * least {
+                // A passage between the lines of the grid.
+                least = on_grid(&world, 4 * LINES - 3, [[20, 20], [380, 380]]);
+            }
+            assert!(cost > LEAST * least, "seed {seed}: {planner} {cost}, on the grid {least}");
             sums[i] += cost / least;
             let history = run.history_since(0);
             let costs: Vec<f64> = history.chunks(HISTORY_WIDTH).map(|row| row[HISTORY_WIDTH - 1]).collect();
             assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "{planner}: the cost never rises");
             assert!((costs[costs.len() - 1] - cost).abs() < 1e-9, "{planner}: the last cost is that of the path");
         }
-        compared += usize::from(least < f64::INFINITY);
+        compared += 1;
     }
     for ((planner, _, most), sum) in PLANNERS.iter().zip(sums) {
         let mean = sum / compared as f64;

@@ -7,6 +7,7 @@ import { disc, drawLine, ring, setStroke } from "../../draw/marks.js";
 import { tracePen } from "../../draw/pen.js";
 import { num } from "../../widgets/format.js";
 import { Workspace } from "../stage/workspace-pane.js";
+import { clearanceText } from "./words.js";
 
 /** @import { RouteGraph, Safest, Widest } from "planarium/full" */
 /** @import { View } from "planarium/draw" */
@@ -193,5 +194,5 @@ function drawLeast(context, pane, { pose, distance }, palette) {
     setStroke(context, colour, width);
     ring(context, x, y, 7);
   }
-  return { text: `${num(distance, 3)} m`, x, y, colour: palette.path };
+  return { text: clearanceText(distance), x, y, colour: palette.path };
 }

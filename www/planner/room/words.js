@@ -17,6 +17,9 @@ export const OTHERS = {
 /** @param {string} text */
 const closed = (text) => text.replace(/\.?$/, ".");
 
+/** A clearance: of less than a centimetre in millimetres. @param {number} metres */
+export const clearanceText = (metres) => (metres < 0.01 ? `${num(1000 * metres)} mm` : `${num(metres, 3)} m`);
+
 /** Why a question has no answer. @param {Fault} fault */
 export function faultText({ code, message }) {
   if (code === "start-in-collision") return "The start is in collision: nothing passes.";
@@ -81,5 +84,5 @@ export function alongText({ least }, metres) {
   if (!least) return "There is nothing to keep clear of.";
   return least.distance === 0
     ? `The path touches something, ${num(metres)} m along it.`
-    : `Smallest clearance: ${num(least.distance, 3)} m, ${num(metres)} m along the path.`;
+    : `Smallest clearance: ${clearanceText(least.distance)}, ${num(metres)} m along the path.`;
 }

@@ -51,6 +51,7 @@ mod proof;
 mod refusals;
 mod roadmap;
 mod route_graph;
+mod safest;
 mod sampling;
 mod scenario;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]

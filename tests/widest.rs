@@ -11,11 +11,11 @@ use planarium::scenario::Scenario;
 use std::f64::consts::TAU;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const ROOM: &str = "[0, 0], [10, 10]";
+pub const ROOM: &str = "[0, 0], [10, 10]";
 const ACROSS: [[f64; 2]; 2] = [[1.0, 5.0], [9.0, 5.0]];
 
 /// A disc of the given radius among obstacles.
-fn world(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
+pub fn world(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
     let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
     scenario(bounds, &obstacles.join(","), &robot, &format!(r#""start": {start:?}, "goal": {goal:?}"#))
 }
@@ -24,7 +24,7 @@ fn of(obstacles: &[String], ends: [[f64; 2]; 2]) -> Widest {
     widest(world(ROOM, obstacles, 0.0, ends), None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn wall(points: &[[f64; 2]], width: f64, closed: bool) -> String {
+pub fn wall(points: &[[f64; 2]], width: f64, closed: bool) -> String {
     format!(r#"{{"type": "wall", "points": {points:?}, "width": {width:?}, "closed": {closed}}}"#)
 }
 
@@ -234,7 +234,7 @@ fn what_is_not_served_is_refused() {
 }
 
 /// A random world: polygons, discs and walls, some of which overlap, and corridors of them.
-fn random_world(random: &mut Random, count: u64) -> Vec<String> {
+pub fn random_world(random: &mut Random, count: u64) -> Vec<String> {
     let mut at = |low: f64, high: f64| low + random.uniform() * (high - low);
     let mut obstacles = Vec::new();
     if count.is_multiple_of(3) {
@@ -270,7 +270,7 @@ fn random_world(random: &mut Random, count: u64) -> Vec<String> {
 }
 
 /// Two points that are free, if there are any among some.
-fn free_ends(random: &mut Random, obstacles: &[String]) -> Option<[[f64; 2]; 2]> {
+pub fn free_ends(random: &mut Random, obstacles: &[String]) -> Option<[[f64; 2]; 2]> {
     let mut point = || [0, 1].map(|_| 0.2 + 9.6 * random.uniform());
     (0..20).map(|_| [point(), point()]).find(|&ends| widest(world(ROOM, obstacles, 0.0, ends), None).is_ok())
 }

@@ -1,4 +1,4 @@
-//! The command line: import, plan, fleet, train, navigate, compare, optimum, widest, route-graph, certify, verify, time,
+//! The command line: import, plan, fleet, train, navigate, compare, optimum, widest, safest, route-graph, certify, verify, time,
 //! convert, sweep, nearest, list, generate, reach, trajectories, schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
@@ -90,6 +90,9 @@ enum Command {
     Optimum(optimum::Arguments),
     /// Print how wide a disc may be to pass from the start to the goal of a query, and the bottleneck
     Widest(widest::Arguments),
+    /// Print the path that keeps as far from obstacles as any from the start to the goal of a query, and of these the shortest
+    #[command(after_help = widest::SAFEST)]
+    Safest(widest::Arguments),
     /// Make a sparse graph of proven edges over the free places, and print it as GeoJSON for the route server of Nav2
     RouteGraph(route_graph::Arguments),
     /// Run the trials of an experiment, a row each, and print their statistics
@@ -144,6 +147,7 @@ fn run(command: &Command) -> Answer {
         Command::Convert(arguments) => convert::convert(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),
         Command::Widest(arguments) => widest::print(arguments),
+        Command::Safest(arguments) => widest::print_safest(arguments),
         Command::RouteGraph(arguments) => route_graph::route_graph(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),

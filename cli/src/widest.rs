@@ -1,4 +1,4 @@
-//! `planarium widest`: how wide a robot may be to pass.
+//! `planarium widest`: how wide a robot may be to pass; and `planarium safest`: the path of the widest.
 
 use crate::arguments::Answer;
 use crate::files;
@@ -7,8 +7,19 @@ use crate::output::Destination;
 use crate::world::{self, WorldOptions};
 use clap::Args;
 use planarium::json;
-use planarium::optimum::{Limit, Widest, widest};
+use planarium::optimum::{Limit, Widest, safest, widest};
 use planarium::problem::Touched;
+
+/// What `planarium safest --help` ends with.
+pub const SAFEST: &str = "\
+Prints what `planarium widest` does, and {\"clearance\", \"length\", \"path\"}. No path from the start to the goal keeps farther from all obstacles
+and from the bounds than the widest disc that passes, and this is the shortest that keeps as far: \"clearance\" is its distance. The radius
+and the margin of the scenario's own disc do not matter. If not even a point passes, the path is empty.
+Exit codes: 0 there is a path; 1 there is none; 2 the input is wrong.
+
+Examples:
+  planarium safest discs.json --query across
+  planarium safest map.yaml --start 1,1 --goal 8,5";
 
 #[derive(Args)]
 #[command(after_help = "\
@@ -43,6 +54,17 @@ pub fn print(arguments: &Arguments) -> Answer {
     files::say(&message(&found));
     out.write(&json::to_string(&found))?;
     Ok(found.radius.is_some_and(|radius| radius > 0.0))
+}
+
+/// Prints the safest path; true if there is one.
+pub fn print_safest(arguments: &Arguments) -> Answer {
+    let (outputs, out) = arguments.destination.beside([&*arguments.file], Kind::WIDEST)?;
+    let scenario = world::scenario(&arguments.file, None, &arguments.world, &outputs)?;
+    let found = safest(&scenario, arguments.query.as_deref())?;
+    let length = found.length.map_or(String::new(), |length| format!("; the safest path has length {length:.6}"));
+    files::say(&(message(&found.widest) + &length));
+    out.write(&json::to_string(&found))?;
+    Ok(found.length.is_some())
 }
 
 /// The result for people.

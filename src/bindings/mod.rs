@@ -51,6 +51,8 @@ mod problem;
 #[cfg(feature = "full")]
 mod reach;
 mod records;
+#[cfg(feature = "full")]
+mod room;
 mod scenario;
 mod shortest_paths;
 mod subdivision;

@@ -59,6 +59,7 @@ plain! {
     JsTrajectoryDocument = "TrajectoryDocument",
     JudgeOptions = "JudgeOptions",
     JsPathJudgement = "PathJudgement",
+    JsRouteGraphOptions = "RouteGraphOptions",
     ReachOptions = "ReachOptions",
     TrajectoryOptions = "TrajectoryOptions",
     ParticleOptions = "ParticleMotion",

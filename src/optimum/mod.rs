@@ -10,10 +10,10 @@
 //!
 //! Of the exact method: `circles.rs` are the circles that a path turns around and their tangents, `grown.rs` is the world as the
 //! disc's centre sees it, `arcs.rs` has the free arcs of the circles, `mesh.rs` the navigation mesh, `dead_ends.rs` what of
-//! it no path enters, `rays.rs` what a search pushes through it. `tangent_graph.rs` compares all pairs of circles: slower and
-//! simpler, it is the oracle of the tests.
+//! it no path enters, `rays.rs` what a search pushes through it, `route.rs` the path that it finds. `tangent_graph.rs` compares
+//! all pairs of circles: slower and simpler, it is the oracle of the tests.
 //!
-//! Beside it, the widest disc that has a path (`widest/`).
+//! Beside it, the widest disc that has a path (`widest/`), and the shortest path of that disc, which is the safest (`safest.rs`).
 
 mod arcs;
 mod circles;
@@ -23,10 +23,13 @@ mod grown;
 mod mesh;
 mod polyanya;
 mod rays;
+mod route;
+mod safest;
 mod tangent_graph;
 mod widest;
 
 pub use crate::planner::MetricOptions;
+pub use safest::{Safest, safest};
 pub use widest::{Limit, Widest, widest};
 
 use crate::error::{Code, Error};

@@ -14,11 +14,12 @@
 //! As bounds are never above the length and tangents are exact, the first path that reaches the goal is the shortest.
 
 use super::arcs::{Arc, Arcs, Part};
-use super::circles::{Circle, Path, Tangent, Turn, along_arc, at, tangent, turn_left, turned};
+use super::circles::{Circle, Path, Tangent, Turn, tangent, turn_left, turned};
 use super::dead_ends::DeadEnds;
 use super::grown::Grown;
 use super::mesh::{Mesh, Side};
 use super::rays::{Rays, SLACK, Source, outermost};
+use super::route::{Bend, Route};
 use crate::error::Error;
 use crate::geometry::{Aabb, Disc, Point, Segment, Vector};
 use crate::graph::Ordered;
@@ -26,9 +27,6 @@ use crate::scenario::World;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
-
-/// The largest turn of one chord of an arc in the path, in radians.
-const CHORD: f64 = 0.05;
 
 /// Rays that cross a side at less than this angle, in radians, meet it somewhere: beyond, where is known to 1e-12 of the size.
 const PARALLEL: f64 = 1e-3;
@@ -93,16 +91,24 @@ impl Prepared {
     ///
     /// # Errors
     /// `start-in-collision`, `goal-in-collision`.
-    pub fn shortest(&self, [start, goal]: [Point; 2]) -> Result<Option<Path>, Error> {
-        self.grown.check([start, goal])?;
-        if start == goal {
-            return Ok(Some((0.0, vec![start])));
+    pub fn shortest(&self, ends: [Point; 2]) -> Result<Option<Path>, Error> {
+        Ok(self.route(ends)?.map(|route| route.chords(self.grown.larger)))
+    }
+
+    /// The shortest path between two positions with its arcs; `None` if there is no path.
+    ///
+    /// # Errors
+    /// `start-in-collision`, `goal-in-collision`.
+    pub fn route(&self, ends: [Point; 2]) -> Result<Option<Route>, Error> {
+        self.grown.check(ends)?;
+        if ends[0] == ends[1] {
+            return Ok(Some(Route { length: 0.0, ends, bends: Vec::new() }));
         }
-        let triangles = [start, goal].map(|p| self.mesh.locate(p, 0));
+        let triangles = ends.map(|p| self.mesh.locate(p, 0));
         if !self.ends.are_joined(triangles) {
             return Ok(None);
         }
-        Ok(Search::new(self, [start, goal], triangles).run())
+        Ok(Search::new(self, ends, triangles).run())
     }
 }
 
@@ -157,7 +163,7 @@ impl<'a> Search<'a> {
         search
     }
 
-    fn run(mut self) -> Option<Path> {
+    fn run(mut self) -> Option<Route> {
         while let Some((_, number)) = self.frontier.pop() {
             match self.nodes[number as usize] {
                 Node::Interval { source, side, rays } => self.enter(source, side, rays),
@@ -167,7 +173,7 @@ impl<'a> Search<'a> {
                 Node::Departure { root, number } => self.depart(root, number),
                 Node::Goal { source, segment, left_at } => {
                     if self.grown.is_free(&segment) {
-                        return Some(self.path(source, left_at));
+                        return Some(self.route(source, left_at));
                     }
                 }
             }
@@ -376,29 +382,24 @@ impl<'a> Search<'a> {
     }
 
     /// The path that ends with a straight way from a source to the goal.
-    fn path(&self, source: u32, left_at: f64) -> Path {
+    fn route(&self, source: u32, left_at: f64) -> Route {
         let mut ways = vec![(self.sources[source as usize].root, left_at)];
         while let Some(&(root, _)) = ways.last().filter(|(root, _)| self.roots[*root as usize].arc != START) {
             let root = &self.roots[root as usize];
             ways.push((root.before, root.left_at));
         }
-        let mut points = Vec::new();
-        for &(root, left_at) in ways.iter().rev() {
-            let root = &self.roots[root as usize];
-            if root.arc == START {
-                points.push(root.point);
-                continue;
-            }
-            let disc = self.arcs.circle(root.arc).disc;
-            let true_disc = Disc { radius: disc.radius - self.grown.larger, ..disc };
-            let to = if turned_by(root.turn, root.angle, left_at) > 0.0 { left_at } else { root.angle };
-            points.extend(along_arc(root.angle, to, root.turn, CHORD).map(|angle| at(&true_disc, angle)));
-        }
-        points.push(self.goal);
-        points.dedup();
+        // The last one is the start.
+        let (start, _) = ways.pop().expect("a path begins somewhere");
+        let bend = |(root, left_at): (u32, f64)| {
+            let Root { arc, turn, angle: from, .. } = self.roots[root as usize];
+            let to = if turned_by(turn, from, left_at) > 0.0 { left_at } else { from };
+            Bend { disc: self.arcs.circle(arc).disc, turn, from, to }
+        };
+        let bends = ways.into_iter().rev().map(bend).collect();
         let source = &self.sources[source as usize];
         let end = source.circle.at(left_at);
-        (self.length_at(source.root, left_at) + (self.goal - end).norm(), points)
+        let length = self.length_at(source.root, left_at) + (self.goal - end).norm();
+        Route { length, ends: [self.roots[start as usize].point, self.goal], bends }
     }
 }
 

@@ -231,6 +231,45 @@ test("console.log shows what an object is, also once it is freed", () => {
   assert.match(inspect(planner), /^Planner \(freed\)$/);
 });
 
+test("how much room there is: the widest disc, the safest path, a route graph", () => {
+  const scenario = Full.parse(disc);
+  const widest = scenario.widest();
+  const { radius, limit, bottleneck, between, slack } = widest;
+  assert.ok(radius !== null && bottleneck !== null && slack > 0 && slack < 1e-11);
+  const [[x, y], [u, v]] = bottleneck;
+  const gap = Math.hypot(u - x, v - y);
+  assert.ok(Math.abs(gap - (limit === "gap" ? 2 : 1) * radius) < 1e-12);
+  assert.ok(between.length > 0 && between.every((one) => one === "bounds" || Number.isInteger(one)));
+  const { length, clearance, path, ...others } = scenario.safest("across");
+  assert.deepEqual(others, scenario.widest("across"));
+  assert.ok(clearance !== null && clearance <= radius && radius - clearance < 1e-11);
+  const shortest = scenario.optimum({ query: "across" }).length;
+  assert.ok(length !== null && shortest !== null && length > shortest);
+  assert.deepEqual(
+    [path[0], path.at(-1)],
+    [
+      [2, 2],
+      [8, 2],
+    ],
+  );
+  const graph = scenario.routeGraph({ samples: 200, detour: 1.4, longestLeg: 3, seed: 5 });
+  assert.deepEqual([graph.detour, graph.longestLeg, graph.seed, graph.parts], [1.4, 3, 5, 1]);
+  assert.ok(graph.largestDetour <= 1.4 + 1e-9 && graph.covered > 0.9 && /^[\da-f]{16}$/.test(graph.fingerprint));
+  for (const { nodes, length: metres } of graph.edges) {
+    const [a, b] = nodes.map((node) => graph.nodes[node]);
+    assert.ok(Math.abs(Math.hypot(a[0] - b[0], a[1] - b[1]) - metres) < 1e-12);
+    assert.equal(scenario.firstHit(a, b), null);
+  }
+  assert.deepEqual(scenario.routeGraph({ samples: 200, detour: 1.4, longestLeg: 3, seed: 5 }), graph);
+  assert.throws(() => scenario.widest("nowhere"), { code: "unknown-query" });
+  assert.throws(() => scenario.safest(/** @type {any} */ (3)), { code: "wrong-type" });
+  assert.throws(() => scenario.routeGraph({ detour: 0.5 }), { code: "out-of-range", pointer: "/detour" });
+  assert.throws(() => scenario.routeGraph({ longestLeg: 0 }), { code: "out-of-range", pointer: "/longestLeg" });
+  const other = Full.parse(arm);
+  for (const call of [() => other.widest(), () => other.safest(), () => other.routeGraph()])
+    assert.throws(call, { code: "unsupported" });
+});
+
 test("optimum returns a record: exact, or a reference", () => {
   const scenario = Scenario.parse(disc);
   const { length, path, slack, ...others } = scenario.optimum({ query: "across" });

@@ -50,6 +50,7 @@ const PRINTED = {
     /^(?:solved [1-9]\d* motions\n){2}0\.\d+\n$/,
     /^\d+\.\d\d % longer true \d+\n$/,
     /^2\.\d+ \d+\n$/,
+    /^0\.\d{3} (?:gap|start|goal) 2\ntrue 0\.\d+ [1-9]\d*\n[1-9]\d* [1-9]\d* true 0\.\d+\n$/,
     /^solved proven true\nsolved solved\n$/,
     /^solved true\n$/,
     /^infeasible [1-9]\d* 0 [\d.e-]+\n$/,

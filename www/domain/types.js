@@ -35,6 +35,10 @@
  * @property {boolean} raw        the path before shortcutting
  * @property {boolean} slice      the obstacles in the plane of the two axes, with the other coordinates as they are now
  * @property {boolean} optimum    the shortest path, where it is known
+ * @property {boolean} widest     the widest disc that passes, and its bottleneck
+ * @property {boolean} safest     the safest path
+ * @property {boolean} routes     the route graph
+ * @property {number} detour      how many times as long as over a dense roadmap ways over it may be
  * @property {boolean} regions    the Voronoi regions of a tree, where a pane shows all coordinates
  *
  * @typedef {"workspace" | "cspace"} PaneKind

@@ -1,7 +1,11 @@
-/** The worker that times paths and judges those of other programs: it has all of the core, and the module of formats. */
+/**
+ * The worker that times paths, judges those of other programs and measures how much room there is: it has all of the core, and
+ * the module of formats.
+ */
 import { Scenario } from "planarium/full";
 import { serve } from "../app/worker-server.js";
 import { judge, keep, read } from "./judging.js";
+import { clearances, routes, safest, widest } from "./room.js";
 import { documentOf, dropTrajectories, forgetTrajectories, timed, written } from "./timing.js";
 
 /** @import { TimingLimits } from "planarium/full" */
@@ -37,6 +41,14 @@ const commands = {
   keep,
   /** Judges a path that was read. @param {number} id @param {boolean} arcs   are motions along arcs? */
   judge: (id, arcs) => judge(scene().scenario, id, arcs),
+  /** @param {string | undefined} query */
+  widest: (query) => widest(scene().scenario, query),
+  /** @param {string | undefined} query */
+  safest: (query) => safest(scene().scenario, query),
+  /** @param {number} detour */
+  routes: (detour) => routes(scene().scenario, detour),
+  /** The clearance along a path. @param {Float64Array} rows   of configurations */
+  clearances: (rows) => clearances(scene().scenario, rows),
   /** Frees the trajectories. */
   drop: dropTrajectories,
   /** @param {number} index   of a trajectory that was made last */

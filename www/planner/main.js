@@ -114,6 +114,7 @@ const isOpen = await app.open(
     new LazyFeature(notice, async () => {
       page.timing = await (await import("./timing/open.js")).openTiming(page);
     }).inFold("timing-fold");
+    new LazyFeature(notice, async () => (await import("./room/open.js")).openRoom(page)).inFold("room-fold");
     const editing = async () => {
       session.repair ??= new (await import("./repair.js")).Repair(session);
       return new (await import("./editor/controls.js")).EditorControls(page);

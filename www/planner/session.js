@@ -12,6 +12,7 @@ import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
 import { Lane } from "./stage/lane.js";
+import { DETOUR } from "./link/experiment.js";
 import { Optima } from "./optimum.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
@@ -74,6 +75,10 @@ export class Session {
       slice: false,
       optimum: false,
       regions: false,
+      widest: false,
+      safest: false,
+      routes: false,
+      detour: DETOUR,
     };
     this.optima = new Optima(app, () => this.markDirty());
     this.optima.viewers.push(() => this.view.optimum);
@@ -143,6 +148,7 @@ export class Session {
       placed,
       driven: null,
       judged: null,
+      room: null,
     };
     if (pace !== undefined) this.clock.pace = pace;
     this.stage.invalidate();

@@ -1,7 +1,7 @@
 /**
  * A chart of lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their
- * ends. On a timeline values hold until the next one, unless they are smooth, and values after the time shown are faint. What draws is loaded
- * with the first drawing.
+ * ends. On a timeline values hold until the next one, unless they are smooth, and values after the time shown are faint, unless all
+ * are even. What draws is loaded with the first drawing.
  */
 import { make, makeSvg } from "../app/dom.js";
 import { once } from "../app/once.js";
@@ -21,13 +21,14 @@ export class Chart {
   /**
    * @param {string} id   also a class of the picture
    * @param {string} title
-   * @param {{ height?: number, isTimeline?: boolean, isSmooth?: boolean }} [options]
+   * @param {{ height?: number, isTimeline?: boolean, isSmooth?: boolean, isEven?: boolean }} [options]
    */
-  constructor(id, title, { height = 190, isTimeline = false, isSmooth = false } = {}) {
+  constructor(id, title, { height = 190, isTimeline = false, isSmooth = false, isEven = false } = {}) {
     this.id = id;
     this.height = height;
     this.isTimeline = isTimeline;
     this.isSmooth = isSmooth;
+    this.isEven = isEven;
     this.title = make("figcaption", {}, title);
     this.picture = makeSvg("svg", {
       role: "img",
@@ -64,7 +65,7 @@ export class Chart {
   }
 
   redraw() {
-    const { plot, drawn, picture, height, isTimeline, isSmooth, past, cursor } = this;
+    const { plot, drawn, picture, height, isTimeline, isSmooth, isEven, past, cursor } = this;
     if (!plot || !drawn) return;
     const [lines, across, up] = drawn;
     const width = Math.max(200, this.element.clientWidth);
@@ -81,14 +82,12 @@ export class Chart {
     const strong = shapes.map((shape) => shape.cloneNode(true));
     cursor.setAttribute("y1", String(top));
     cursor.setAttribute("y2", String(bottom));
-    picture.replaceChildren(
-      ...axes,
+    const parts = [
       makeSvg("clipPath", { id }, past),
       makeSvg("g", { class: "future" }, ...shapes),
       makeSvg("g", { "clip-path": `url(#${id})` }, ...strong),
-      cursor,
-      ...labels,
-    );
+    ];
+    picture.replaceChildren(...axes, ...(isEven ? strong : parts), cursor, ...labels);
     this.scale = (value) => Math.min(scale(value), right);
     this.show(this.now);
   }

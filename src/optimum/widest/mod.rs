@@ -47,6 +47,7 @@ pub enum Limit {
 
 /// The widest disc that passes, in the order and under the names of its JSON form. Lengths are metres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "full"), derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Widest {
     /// The name of the scenario.
     pub scenario: String,
@@ -57,12 +58,17 @@ pub struct Widest {
     /// not even a point passes.
     pub radius: Option<f64>,
     /// What keeps wider discs from passing.
+    #[cfg_attr(
+        all(target_arch = "wasm32", feature = "full"),
+        tsify(type = "\"gap\" | \"start\" | \"goal\" | \"closed\"")
+    )]
     pub limit: Limit,
     /// The ends of the narrowest gap, `[x, y]` each; or the start or the goal, and the point that is nearest to it. Null if not
     /// even a point passes.
     pub bottleneck: Option<[[f64; 2]; 2]>,
     /// The index of the obstacle at each end of the gap, or `bounds`; of the start or the goal, of what is nearest to it. Empty
     /// if there is no `bottleneck`.
+    #[cfg_attr(all(target_arch = "wasm32", feature = "full"), tsify(type = "(number | \"bounds\")[]"))]
     pub between: Vec<Touched>,
     /// A gap of up to twice this counts as contact, as in a shortest path.
     pub slack: f64,
@@ -128,7 +134,7 @@ pub fn widest(scenario: impl Into<PlanningWorld>, query: Option<&str>) -> Result
 ///
 /// # Errors
 /// `unsupported`.
-fn ends(robot: &Robot, query: &Query) -> Result<[Point; 2], Error> {
+pub(in crate::optimum) fn ends(robot: &Robot, query: &Query) -> Result<[Point; 2], Error> {
     let why = match (robot, query.configuration()) {
         (Robot::Disc(_), Some(goal)) => return Ok([&query.start[..], goal].map(|q| Point::new(q[0], q[1]))),
         (Robot::Disc(_), None) => "a query with a target",

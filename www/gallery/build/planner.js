@@ -125,13 +125,13 @@ function shownOf({ scenario, document, query, placed, planner }, { view, drive, 
   const driven = drive || roll ? drivenOf(scenario, drive, drive?.start ?? start ?? [], roll, euler) : null;
   return /** @type {Shown} */ ({
     ...{ scenario, document, query: query.name, start, goal, goals, target, placed, marked: null, rough: false },
-    ...{ hover: null, overlay: null, certifying: null, judged: null },
+    ...{ hover: null, overlay: null, certifying: null, judged: null, room: null },
     driven: driven && { ...driven, drawUnder: drawTrace, drawOver: drawDrive },
     hand: hit ?? driven?.trace.subarray(-3) ?? null,
     check: hit ? scenario.check(hit) : { free: true, touching: [] },
     view: {
       ...{ axes: [0, 1], strobe: true, poses: POSES, refused: false, raw: false, slice: false, optimum: false },
-      regions: false,
+      ...{ regions: false, widest: false, safest: false, routes: false, detour: 1.5 },
       ...(view?.poses ? { poses: view.poses } : {}),
     },
   });

@@ -37,6 +37,9 @@ const DRIVE = { steps: 1_000_000, keys: 65_535 };
 /** A limit of a trajectory, as the core allows it. @type {Rule<number>} */
 const limit = rule((value) => typeof value === "number" && value >= 1e-6 && value <= 1e9);
 
+/** How much longer ways over a route graph may be, as the core allows it. @type {Rule<number>} */
+const detour = rule((value) => typeof value === "number" && value >= 1 && value <= 100);
+
 const experimentRule = withDefaults(
   {
     version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
@@ -56,6 +59,10 @@ const experimentRule = withDefaults(
       slice: flag,
       optimum: flag,
       regions: flag,
+      widest: flag,
+      safest: flag,
+      routes: flag,
+      detour,
       projector: flag,
       lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
     }),

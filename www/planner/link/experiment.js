@@ -43,6 +43,8 @@ import { isProjected } from "../../app/projector.js";
 
 /** Configurations drawn along a path, by default. */
 export const POSES = 8;
+/** How much longer ways over a route graph may be, by default: that of the core. */
+export const DETOUR = 1.5;
 
 /**
  * The state with the moment that is shown. Settings equal to the planner's defaults are left out, and options equal to

@@ -37,8 +37,9 @@ import { experimentOf, known } from "./experiment.js";
  */
 /** @typedef {Open & Host} Page */
 
-/** What a link can show besides the run; the switches are under "View". */
+/** What a link can show besides the run; the switches are under "View", and under "How much room". */
 const SHOWN = /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]);
+const ROOM = /** @type {const} */ (["widest", "safest", "routes"]);
 
 export class Link {
   /**
@@ -116,6 +117,7 @@ export class Link {
     const { iteration, view, ...rest } = experiment;
     this.projector.turn(view.projector ?? false);
     if (SHOWN.some((name) => view[name])) reveal(byId("view", HTMLElement));
+    if (ROOM.some((name) => view[name])) reveal(byId("room", HTMLElement));
     if (page.plans.length > 1) reveal(byId("race", HTMLElement));
     if (rest.timing) reveal(byId("timing", HTMLElement));
     if (rest.pose) reveal(byId("pose", HTMLElement));

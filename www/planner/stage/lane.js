@@ -34,6 +34,7 @@ import { RunLog } from "../run-log/run-log.js";
  * @property {Placed | null} placed         for a body or a car
  * @property {Driven | null} driven         while the car is driven
  * @property {{ drawUnder: Draw, drawOver: Draw } | null} judged   a path of another program
+ * @property {{ drawUnder: Draw, drawOver: Draw } | null} room   how much room there is
  * @property {OpenWorld} [world]            what was opened in place of something else
  * @property {Box} [window]                 the part of the plane that is shown, where it is not all of it
  */

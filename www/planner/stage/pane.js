@@ -196,9 +196,11 @@ export class Pane {
     if (lane.run?.pieces && !lane.asked) this.drawPieces(context, lane.run, palette);
     if (lane.still) this.growth.drawLatest(context);
     this.drawInformed(context, lane, palette);
+    lane.shown.room?.drawUnder(this, context, lane);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
     else if (lane.run) this.drawBest(context, lane.run, palette);
     if (lane.optimum && lane.shown.view.optimum) this.drawThin(context, lane.optimum.rows, palette.ink, [7, 4]);
+    lane.shown.room?.drawOver(this, context, lane);
     context.restore();
     lane.shown.judged?.drawUnder(this, context, lane);
     this.drawEnds(context, lane, palette);

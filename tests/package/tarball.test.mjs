@@ -76,6 +76,7 @@ test("the tarball holds exactly the files of the package", () => {
   ];
   const ownDeclarations = ["choices", "core", "full", "functions", "planarium"];
   const readers = ["import", "import-node", "import_glue", "runtime"];
+  const finders = ["runtime", "shortest", "shortest-node", "shortest_glue"];
   assert.deepEqual(
     names,
     [
@@ -86,11 +87,14 @@ test("the tarball holds exactly the files of the package", () => {
       "dist/package/planarium_bg.wasm",
       "dist/package/full/full_bg.wasm",
       "dist/package/import/import_bg.wasm",
+      "dist/package/shortest/shortest_bg.wasm",
       ...modules.map((name) => `dist/package/${name}.js`),
       ...own.map((name) => `dist/package/full/${name}.js`),
       ...ownDeclarations.map((name) => `dist/package/full/${name}.d.ts`),
       ...readers.map((name) => `dist/package/import/${name}.js`),
       ...["import", "world"].map((name) => `dist/package/import/${name}.d.ts`),
+      ...finders.map((name) => `dist/package/shortest/${name}.js`),
+      "dist/package/shortest/shortest.d.ts",
       ...declarations.map((name) => `dist/package/${name}.d.ts`),
       "package.json",
       "schema/scenario.schema.json",
@@ -167,6 +171,7 @@ test("arethetypeswrong finds nothing for an ES module", () => {
       "./planarium_bg.wasm",
       "./full_bg.wasm",
       "./import_bg.wasm",
+      "./shortest_bg.wasm",
       "./scenario.schema.json",
     ],
     { encoding: "utf8" },

@@ -178,6 +178,9 @@ function between(p, q, a, b) {
   return Math.min(from(p, a, b), from(q, a, b), from(a, p, q), from(b, p, q));
 }
 
+/** Chords of arcs are a little shorter. @param {number} value */
+const percent = (value) => `${value.toFixed(2).replace("-0.00", "0.00")} %`;
+
 /** @param {Position[]} path */
 const lengthOf = (path) =>
   path.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - path[i][0], y - path[i][1]), 0);
@@ -376,7 +379,7 @@ await script(async () => {
         digits(side.preparation),
         `${digits(quantile(times, 0.5))} (${digits(Math.max(...times))})`,
         `${found.length} of ${done.length}`,
-        `${quantile(over, 0.5).toFixed(2)} % (${Math.max(...over).toFixed(2)} %)`,
+        `${percent(quantile(over, 0.5))} (${percent(Math.max(...over))})`,
         share(1e-9),
         side.distance === 0 ? "-" : share(KEPT * world.distance),
       ]);

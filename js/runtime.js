@@ -44,6 +44,7 @@ const SIGNS = [
   ["scenario_parse", "Scenario"],
   ["fleet_parse", "Fleet"],
   ["readFiles", "readFiles"],
+  ["shortestmap_query", "ShortestMap"],
 ];
 
 /** Marks the objects of this core: the package has two, `planarium` and `planarium/full`. */

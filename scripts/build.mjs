@@ -99,9 +99,40 @@ const IMPORT = {
   folder: "import",
   held: ["import", "import-node", "import_glue", "runtime", "world"],
 };
+/** @type {Core} */
+const SHORTEST = {
+  name: "shortest",
+  crate: "planarium-shortest",
+  build: ["rustc", "--lib", "--crate-type", "cdylib", "-p", "planarium-shortest", "--features", "bindings"],
+  profile: "shortest",
+  optimize: ["-O3", "-ocimfs", "100"],
+  glue: "shortest_glue",
+  folder: "shortest",
+  held: ["shortest", "shortest-node", "shortest_glue", "runtime"],
+};
 /** The cores that plan. */
 const PLANNING = [LIGHT, FULL];
-const CORES = [...PLANNING, IMPORT];
+/** The cores whose modules have a folder. */
+const PLACED = [FULL, IMPORT, SHORTEST];
+const CORES = [LIGHT, ...PLACED];
+
+/** What the glue of a core exports, unless all is declared in `core.d.ts`. @type {Map<Core, string>} */
+const DECLARED = new Map([
+  [
+    IMPORT,
+    `export declare function readFiles(names: string[], contents: Uint8Array[], options: string): [string, Uint8Array | null];
+export declare function readPathFile(name: string, bytes: Uint8Array, options: string): [string, Float64Array];
+export declare function writePathFile(numbers: Float64Array, isTimed: boolean, dimension: number | undefined, options: string): Uint8Array;`,
+  ],
+  [
+    SHORTEST,
+    `export declare class ShortestMap {
+  constructor(coordinates: Float64Array, kinds: Uint8Array, counts: Uint32Array, distance: number, bounds: Float64Array, planar: boolean);
+  query(x: number, y: number, toX: number, toY: number): Float64Array;
+  free(): void;
+}`,
+  ],
+]);
 
 const dist = join(root, "dist");
 const types = join(dist, "types", "planarium");
@@ -192,12 +223,7 @@ async function makeGlue(core, wasm) {
   writeFileSync(join(glue, `${core.glue}.js`), withLoss(script));
   rmSync(join(glue, `${name}.js`));
   renameSync(join(glue, `${name}.d.ts`), join(glue, "declarations.txt"));
-  const functions =
-    core === IMPORT
-      ? `export declare function readFiles(names: string[], contents: Uint8Array[], options: string): [string, Uint8Array | null];
-export declare function readPathFile(name: string, bytes: Uint8Array, options: string): [string, Float64Array];
-export declare function writePathFile(numbers: Float64Array, isTimed: boolean, dimension: number | undefined, options: string): Uint8Array;`
-      : `export * from "./core.js";`;
+  const functions = DECLARED.get(core) ?? `export * from "./core.js";`;
   writeFileSync(
     join(glue, `${core.glue}.d.ts`),
     `${functions}
@@ -341,17 +367,17 @@ async function assemblePackage() {
     writeFileSync(join(place, `${core.glue}.js`), code);
   }
   cpSync(join(glueOf(LIGHT), "tables.js"), join(out, "tables.js"));
-  const own = [FULL, IMPORT].flatMap(({ held }) => held).filter((name) => !LIGHT.held.includes(name));
+  const own = PLACED.flatMap(({ held }) => held).filter((name) => !LIGHT.held.includes(name));
   for (const file of readdirSync(join(root, "js"))) {
     const name = basename(file, ".js");
     if (!file.endsWith(".js")) continue;
     const text = readFileSync(join(root, "js", file), "utf8");
     if (!own.includes(name)) writeFileSync(join(out, file), text);
-    for (const core of [FULL, IMPORT])
+    for (const core of PLACED)
       if (core.held.includes(name)) writeFileSync(join(out, core.folder, file), placed(text, core));
   }
   for (const name of declarationsOf(["planarium", ...SHARED_ENTRIES])) cpSync(join(types, name), join(out, name));
-  for (const core of [FULL, IMPORT])
+  for (const core of PLACED)
     for (const name of declarationsOf([core.name])) {
       if (!core.held.includes(basename(name, ".d.ts"))) continue;
       const text = readFileSync(join(types, core === FULL && name === "core.d.ts" ? "full.core.d.ts" : name), "utf8");

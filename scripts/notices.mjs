@@ -37,7 +37,7 @@ export function writeNotices(path) {
     crates.map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) }));
   const of = "the Rust standard library (MIT OR Apache-2.0) and the crates below.\n";
   const all = [
-    joined(`planarium_bg.wasm, full_bg.wasm and import_bg.wasm contain ${of}`, texts(core)),
+    joined(`planarium_bg.wasm, full_bg.wasm, import_bg.wasm and shortest_bg.wasm contain ${of}`, texts(core)),
     joined("import_bg.wasm also contains the crates below.\n", texts(beside)),
   ];
   writeFileSync(path, all.join(RULE));

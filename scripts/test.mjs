@@ -37,15 +37,27 @@ import { buildSite } from "./site.mjs";
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
-/** What the modules of `planarium` and of `planarium/import` are made of. */
+/** What the modules of `planarium`, of `planarium/import` and of `planarium/shortest` are made of. */
 const LIGHT = ["--no-default-features", "--features", "bindings"];
 const FORMATS = ["-p", "planarium-formats", "--features", "bindings"];
+const SHORTEST = ["-p", "planarium-shortest", "--features", "bindings"];
 
-/** The library, the formats and the command line. */
-const CRATES = ["-p", "planarium", "-p", "planarium-formats", "-p", "planarium-cli", "-p", "own-planner"];
+/** The library, the formats, shortest paths of maps, and the command line. */
+const CRATES = [
+  "-p",
+  "planarium",
+  "-p",
+  "planarium-formats",
+  "-p",
+  "planarium-shortest",
+  "-p",
+  "planarium-cli",
+  "-p",
+  "own-planner",
+];
 
 /** The crates that others build on. */
-const DOCUMENTED = ["-p", "planarium", "-p", "planarium-formats"];
+const DOCUMENTED = ["-p", "planarium", "-p", "planarium-formats", "-p", "planarium-shortest"];
 
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
@@ -101,6 +113,11 @@ const suites = [
     groups: ["check"],
     name: "clippy, wasm32, formats",
     run: () => command("cargo", ["clippy", "--locked", ...WASM, ...FORMATS, "--lib", ...NO_WARNINGS]),
+  },
+  {
+    groups: ["check"],
+    name: "clippy, wasm32, shortest",
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, ...SHORTEST, "--lib", ...NO_WARNINGS]),
   },
   {
     groups: ["check"],

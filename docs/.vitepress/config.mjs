@@ -32,6 +32,7 @@ const GROUPS = [
     [
       "docs/scenarios.md",
       "docs/worlds.md",
+      "docs/shortest.md",
       "docs/timing.md",
       "docs/fleet.md",
       "docs/prm-rl.md",
@@ -260,6 +261,7 @@ export default defineConfig({
         items: [
           { text: "Scenarios", link: "/scenarios" },
           { text: "Maps and pictures", link: "/worlds" },
+          { text: "Shortest paths of web maps", link: "/shortest" },
           { text: "Several robots", link: "/fleet" },
           { text: "Learned edges", link: "/prm-rl" },
           { text: "JavaScript", link: "/javascript" },

@@ -2,21 +2,13 @@
 //!
 //! East and north are scaled, each by what a degree measures in the middle of the file on the ellipsoid WGS 84
 //! (equirectangular projection): straight lines stay straight, corners stay exact, and the way back is a division.
-//! <https://en.wikipedia.org/wiki/Geographic_coordinate_conversion>
 
 use crate::draft::Draft;
 use crate::error::{Code, FormatError};
 use crate::options::{Coordinates, Options};
 use crate::report::Format;
 use crate::vector::{Drawing, Frame};
-use planarium::geometry::{Aabb, Point};
-use std::f64::consts::PI;
-
-/// The larger half axis of the ellipsoid, in metres.
-const EQUATOR: f64 = 6_378_137.0;
-
-/// The square of its eccentricity: f (2 - f) with f = 1 / 298.257223563.
-const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_141_317e-3;
+use planarium::geometry::{Aabb, Point, metres_per_degree};
 
 /// The widest file whose coordinates are taken for degrees though it does not say so.
 const LIKELY: f64 = 1.0;
@@ -30,15 +22,6 @@ pub enum Said {
     Degrees,
     /// A reference system by name, whose coordinates are taken for metres.
     Other(String),
-}
-
-/// Metres per degree of longitude and of latitude, at a latitude in degrees.
-fn metres_per_degree(latitude: f64) -> [f64; 2] {
-    let (sin, cos) = libm::sincos(latitude * (PI / 180.0));
-    let curvature = 1.0 - ECCENTRICITY_SQUARED * sin * sin;
-    let across = EQUATOR / curvature.sqrt();
-    let along = across * (1.0 - ECCENTRICITY_SQUARED) / curvature;
-    [across * cos * (PI / 180.0), along * (PI / 180.0)]
 }
 
 /// The draft of a drawing whose coordinates are degrees or x and y.

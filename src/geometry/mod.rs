@@ -12,6 +12,7 @@ mod chain;
 mod convex_pieces;
 mod crossing;
 mod distance;
+mod ellipsoid;
 mod holes;
 mod intersects;
 mod order;
@@ -31,6 +32,7 @@ pub use convex_pieces::{convex_pieces, small_convex_pieces};
 pub use distance::{
     distance_point_segment, distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,
 };
+pub use ellipsoid::metres_per_degree;
 pub use holes::PolygonWithHoles;
 pub use intersects::intersects_segment_segment;
 pub(crate) use order::{arrange, select_number, sort_numbers, sort_stably};

@@ -211,6 +211,7 @@ fn constraints(grown: &Grown) -> (Vec<Vertex>, Vec<[usize; 2]>) {
     chain(&mut corners.iter().map(|&[x, y]| Point::new(x, y)).map(|p| at(0.0)(&p)), true);
     for shape in grown.shapes.iter() {
         match shape {
+            Obstacle::Disc(disc) if disc.radius == 0.0 => chain(&mut std::iter::once(at(radius)(&disc.center)), false),
             Obstacle::Disc(disc) => {
                 let keep_out = Disc { radius: disc.radius + radius, ..*disc };
                 let around = (0..AROUND).map(|i| {

@@ -36,7 +36,8 @@ use crate::error::{Code, Error};
 use crate::geometry::{Point, wrap};
 use crate::path::{LengthMeasure, length, split};
 use crate::problem::Problem;
-use crate::scenario::{Query, Robot};
+use crate::robot::DiscRobot;
+use crate::scenario::{Obstacle, Query, Robot, World};
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 use polyanya::Prepared;
@@ -188,6 +189,22 @@ impl ShortestPaths {
             return Err(Error::new(Code::Unsupported, "/robot", "shortest paths are prepared for discs alone"));
         };
         Ok(Self { prepared: Prepared::new(world.scenario().world(), *world.bounds(), disc.kept_radius()) })
+    }
+
+    /// Prepares obstacles within bounds for a disc, whatever the robot of a scenario is. The world is not checked as that of a
+    /// scenario is; a disc of radius 0 is a point.
+    ///
+    /// # Errors
+    /// `missing-field` for a world without bounds; `not-finite` for coordinates that are not.
+    pub fn among(world: &World, robot: &DiscRobot) -> Result<Self, Error> {
+        let Some(bounds) = world.bounds else {
+            return Err(Error::new(Code::MissingField, "/bounds", "a disc needs bounds"));
+        };
+        let around = world.obstacles.iter().map(Obstacle::aabb).fold(bounds, |around, aabb| around.union(&aabb));
+        if ![around.min, around.max].iter().flat_map(|p| [p.x, p.y]).all(f64::is_finite) {
+            return Err(Error::new(Code::NotFinite, "", "a coordinate of the world is not finite"));
+        }
+        Ok(Self { prepared: Prepared::new(world, bounds, robot.kept_radius()) })
     }
 
     /// The shortest path between two positions, in metres; `None` if there is none.

@@ -61,7 +61,7 @@ for (const [how, args, files] of /** @type {[string, string[], Record<string, st
 
 test("the wasm file, the schema and the manifest can be resolved", () => {
   addFiles(folder, {
-    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "import_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
+    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "import_bg.wasm", "shortest_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
   });
   const urls = node(["resolve.mjs"], folder);
   assert.equal(urls.length, 5);
@@ -190,3 +190,26 @@ for (const [how, entry, options] of /** @type {[string, string, import("esbuild"
     assert.deepEqual(node([outfile], folder), ["grid", 1]);
   });
 }
+
+const path = `console.log(JSON.stringify(shortestPath([0, 0], [3, 4], { coordinates: "metres" }).properties.length));`;
+
+test("planarium/shortest in Node, by import and by require", () => {
+  addFiles(folder, {
+    "path.mjs": `import { shortestPath } from "planarium/shortest"; ${path}`,
+    "path.cjs": `const { shortestPath } = require("planarium/shortest"); ${path}`,
+  });
+  for (const args of [["path.mjs"], ["--no-warnings", "path.cjs"]]) assert.equal(node(args, folder), 5, args.join(" "));
+});
+
+test("planarium/shortest bundled by esbuild for browsers, with the bytes inside: its glue alone", async () => {
+  const entry = `import init, { shortestPath } from "planarium/shortest"; import bytes from "planarium/shortest_bg.wasm";
+    await init(bytes); ${path}`;
+  const { outfile, glues } = await bundled(entry, join(folder, "shortest"), {
+    platform: "browser",
+    target: "es2022",
+    minify: true,
+    loader: { ".wasm": "binary" },
+  });
+  assert.deepEqual(glues, ["shortest/shortest_glue.js"]);
+  assert.equal(node([outfile], folder), 5);
+});

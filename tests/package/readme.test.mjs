@@ -41,6 +41,7 @@ const PRINTED = {
   "docs/timing.md": [/^\d+\.\d{3} s, 0 rests on the way\n[1-9]\d* 3 3 3 true\ntrue true\n$/],
   "docs/worlds.md": [/^false \{ obstacle: 0 \} 1 0\.(?:39|4)\d*\n$/, /^t_s,x_m,y_m,vx_m_s,vy_m_s true\n$/],
   "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
+  "docs/shortest.md": [/^1808\.0 m, 42 positions\n1808\.0\n890\.2\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^moving-ai 5 x 3 solved\n$/,

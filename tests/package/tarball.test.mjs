@@ -76,6 +76,7 @@ test("the tarball holds exactly the files of the package", () => {
   ];
   const ownDeclarations = ["choices", "core", "full", "functions", "planarium"];
   const readers = ["import", "import-node", "import_glue", "runtime"];
+  const finders = ["runtime", "shortest", "shortest-node", "shortest_glue"];
   assert.deepEqual(
     names,
     [
@@ -86,11 +87,14 @@ test("the tarball holds exactly the files of the package", () => {
       "dist/package/planarium_bg.wasm",
       "dist/package/full/full_bg.wasm",
       "dist/package/import/import_bg.wasm",
+      "dist/package/shortest/shortest_bg.wasm",
       ...modules.map((name) => `dist/package/${name}.js`),
       ...own.map((name) => `dist/package/full/${name}.js`),
       ...ownDeclarations.map((name) => `dist/package/full/${name}.d.ts`),
       ...readers.map((name) => `dist/package/import/${name}.js`),
       ...["import", "world"].map((name) => `dist/package/import/${name}.d.ts`),
+      ...finders.map((name) => `dist/package/shortest/${name}.js`),
+      "dist/package/shortest/shortest.d.ts",
       ...declarations.map((name) => `dist/package/${name}.d.ts`),
       "package.json",
       "schema/scenario.schema.json",
@@ -105,12 +109,13 @@ test("the tarball holds exactly the files of the package", () => {
 
 // The aim is 400 KB gzipped for the light module, and 500 KB for the one that reads worlds; docs/benchmarks.md says why the
 // first is missed. This holds what was reached.
-test("the tarball weighs at most 2490 KB, its light module at most 658 KB gzipped, the others 1034 and 575 KB", () => {
-  assert.ok(statSync(tarball).size <= 2_490_000, `${statSync(tarball).size} bytes`);
+test("the tarball weighs at most 2600 KB, its light module at most 658 KB gzipped, the others 1034, 575 and 110 KB", () => {
+  assert.ok(statSync(tarball).size <= 2_600_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
     ["planarium_bg.wasm", 1_670_000, 658_000],
     ["full/full_bg.wasm", 2_570_000, 1_034_000],
     ["import/import_bg.wasm", 1_360_000, 575_000],
+    ["shortest/shortest_bg.wasm", 280_000, 110_000],
   ])) {
     const wasm = readFileSync(join(place, "dist", "package", file));
     assert.ok(wasm.length <= most, `${file}: ${wasm.length} bytes`);
@@ -167,6 +172,7 @@ test("arethetypeswrong finds nothing for an ES module", () => {
       "./planarium_bg.wasm",
       "./full_bg.wasm",
       "./import_bg.wasm",
+      "./shortest_bg.wasm",
       "./scenario.schema.json",
     ],
     { encoding: "utf8" },

@@ -319,6 +319,34 @@ export async function read(bytes: Uint8Array, module: ArrayBuffer): Promise<stri
 }
 `;
 
+/** `planarium/shortest`, with the shapes of GeoJSON that others declare. */
+const finder = `
+import init, { initSync, prepare, shortestPath, PlanariumError, type Geometry, type Obstacles, type ShortestPathFeature } from "planarium/shortest";
+
+interface Other { type: "FeatureCollection"; features: { type: "Feature"; properties: { name: string } | null; geometry: { type: "Polygon"; coordinates: number[][][] } }[] }
+
+export async function find(other: Other, module: ArrayBuffer): Promise<number> {
+  initSync(module);
+  await init("https://example.org/shortest_bg.wasm");
+  const obstacles: Obstacles = other;
+  const wall: Geometry = { type: "LineString", coordinates: [[0, 0], [1, 1]] };
+  // @ts-expect-error: a line has positions
+  const none: Geometry = { type: "LineString", coordinates: [0, 0] };
+  // @ts-expect-error: options have names
+  void shortestPath([0, 0], [1, 1], { minDistanse: 1 });
+  const found: ShortestPathFeature | null = shortestPath([0, 0], { type: "Point", coordinates: [1, 1] }, { obstacles, minDistance: 5, bounds: [0, 0, 1, 1], coordinates: "degrees" });
+  const paths = prepare({ type: "GeometryCollection", geometries: [wall, none] }, { coordinates: "metres" });
+  try {
+    const line: [number, number][] = paths.query([0, 0], [1, 1])?.geometry.coordinates ?? [];
+    return line.length + (found?.properties.length ?? 0) + (found?.properties.distortion ?? 0);
+  } catch (error) {
+    return error instanceof PlanariumError ? error.code.length : 0;
+  } finally {
+    paths.free();
+  }
+}
+`;
+
 const base = {
   strict: true,
   noEmit: true,
@@ -333,7 +361,7 @@ const base = {
 let folder;
 
 before(() => {
-  folder = install({ "consumer.ts": consumer, "drawer.ts": drawer, "reader.ts": reader });
+  folder = install({ "consumer.ts": consumer, "drawer.ts": drawer, "reader.ts": reader, "finder.ts": finder });
 });
 
 for (const [name, settings] of Object.entries({
@@ -345,7 +373,7 @@ for (const [name, settings] of Object.entries({
     addFiles(folder, {
       "tsconfig.json": JSON.stringify({
         compilerOptions: { ...base, ...settings },
-        files: ["consumer.ts", "reader.ts", ...("lib" in settings ? [] : ["drawer.ts"])],
+        files: ["consumer.ts", "reader.ts", "finder.ts", ...("lib" in settings ? [] : ["drawer.ts"])],
       }),
     });
     const { status, stdout } = spawnSync(

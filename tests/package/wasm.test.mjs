@@ -9,7 +9,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { root } from "../../scripts/run.mjs";
 
-for (const file of ["planarium_bg.wasm", "full/full_bg.wasm", "import/import_bg.wasm"]) {
+for (const file of ["planarium_bg.wasm", "full/full_bg.wasm", "import/import_bg.wasm", "shortest/shortest_bg.wasm"]) {
   const path = join(root, "dist", "package", file);
 
   test(`${file} has vector instructions, and no other feature that a plain build lacks: no threads`, () => {
@@ -52,7 +52,7 @@ for (const file of ["planarium_bg.wasm", "full/full_bg.wasm", "import/import_bg.
 
   test(`${file} holds no texts of the catalogue`, () => {
     const bytes = readFileSync(path);
-    assert.equal(bytes.includes("visibility-prm"), !file.startsWith("import"), "ids are in those that plan");
+    assert.equal(bytes.includes("visibility-prm"), !/^(?:import|shortest)/.test(file), "ids are in those that plan");
     const found = textsOf(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8"))).filter((text) =>
       bytes.includes(text),
     );

@@ -74,7 +74,9 @@ export function watchCurves(page) {
     const [grown, costs] = [1, 2].map((which) =>
       lanes.map((rows, i) => ({ label: label(i), points: column(rows, which) })),
     );
-    const optima = session.lanes.map(({ optimum }) => optimum);
+    // A path that keeps away from obstacles is not compared with the shortest.
+    const keepsAway = session.lanes.some(({ plan }) => Number(plan.settings.clearance_weight ?? 0) > 0);
+    const optima = session.lanes.map(({ optimum }) => (keepsAway ? null : optimum));
     const [optimum] = optima;
     const isExact = optima.every((one) => one?.isExact !== false);
     const gapsOf = (/** @type {typeof lanes} */ all) =>
@@ -83,7 +85,8 @@ export function watchCurves(page) {
         points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))),
       }));
     const gaps = gapsOf(thinned(runs, clock, head, true));
-    cost.title.textContent = unit ? `Path length, ${unit}` : "Path cost";
+    const measure = keepsAway ? "cost" : "length";
+    cost.title.textContent = unit ? `Path ${measure}, ${unit}` : "Path cost";
     const across = { title: time, low: 0, high: Math.max(1, head) };
     vertices.draw(
       grown,
@@ -109,8 +112,8 @@ export function watchCurves(page) {
     cost.draw(
       [...costs, ...truth],
       across,
-      { title: "path length" },
-      `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`,
+      { title: `path ${measure}` },
+      `The ${measure} of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`,
     );
     gap.element.hidden = optima.every((one) => !one);
     gap.title.textContent = `Gap to the ${isExact ? "shortest path" : "reference"}, %`;
@@ -130,7 +133,7 @@ export function watchCurves(page) {
       list(
         [
           ["vertices", grown],
-          ["path length", costs],
+          [`path ${measure}`, costs],
           ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gapsOf(lanes)])]),
         ],
         names,

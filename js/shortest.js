@@ -49,13 +49,19 @@ export { PlanariumError } from "./error.js";
  *   a plane, at most 1e8 m from its origin. Default: degrees
  */
 
-/** @typedef {PrepareOptions & { obstacles?: Obstacles }} ShortestPathOptions */
+/**
+ * What a path goes around.
+ * @typedef {object} WithObstacles
+ * @property {Obstacles} [obstacles]  at most 1,000,000 positions. Default: none
+ */
+
+/** @typedef {PrepareOptions & WithObstacles} ShortestPathOptions */
 
 /**
  * A shortest path as a feature of GeoJSON.
  * @typedef {object} ShortestPathFeature
- * @property {"Feature"} type
- * @property {ShortestPathProperties} properties
+ * @property {"Feature"} type  that of GeoJSON
+ * @property {ShortestPathProperties} properties  its length, and how exact the plane is
  * @property {{ type: "LineString", coordinates: [number, number][] }} geometry  from the start to the goal; arcs around
  *   corners are chords of at most 0.05 radians
  */

@@ -64,7 +64,7 @@ test("the wasm file, the schema and the manifest can be resolved", () => {
     "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "import_bg.wasm", "shortest_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
   });
   const urls = node(["resolve.mjs"], folder);
-  assert.equal(urls.length, 5);
+  assert.equal(urls.length, 6);
   for (const url of urls) assert.ok(existsSync(new URL(url)), url);
 });
 

@@ -102,6 +102,28 @@ fn the_widest_disc_is_printed_with_its_bottleneck() {
 }
 
 #[test]
+fn the_safest_path_is_printed_with_the_widest_disc() {
+    let (widest, finished) = (planarium("widest room.json").json(), planarium("safest room.json"));
+    let found = finished.json();
+    assert_eq!(finished.code, 0);
+    for name in ["radius", "limit", "bottleneck", "between", "slack"] {
+        assert_eq!(found[name], widest[name], "{name}");
+    }
+    let number = |name: &str| found[name].as_f64().unwrap_or_else(|| panic!("{name} is no number"));
+    assert!(number("clearance") <= 0.25 && number("clearance") > 0.25 - 1e-11);
+    assert!(number("length") > planarium("optimum room.json").json()["length"].as_f64().expect("a path"));
+    // It goes through the middle of the gap.
+    let path = found["path"].as_array().expect("a path");
+    let is_middle = |point: &Value| point[1].as_f64().is_some_and(|y| (y - 1.75).abs() < 1e-9);
+    assert!(path.len() > 2 && path.iter().any(is_middle));
+    assert!(finished.stderr.contains("the safest path has length"), "{}", finished.stderr);
+    let none = planarium("safest room.json --query cut-off");
+    assert_eq!((none.code, &none.json()["length"], &none.json()["path"]), (1, &Value::Null, &json!([])));
+    planarium("safest room.json --query in-wall").refuses("goal-in-collision", "/queries/2/goal");
+    planarium("safest firs.json").refuses("unsupported", "");
+}
+
+#[test]
 fn parameters_reach_the_planner() {
     let plain = "plan room.json --planner prm --set samples=150 --set k=7";
     let result = planarium(&format!("{plain} --set shortcut=40")).ended(0, "solved");

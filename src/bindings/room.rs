@@ -68,7 +68,7 @@ pub struct RouteGraph {
     longest_leg: f64,
     /// The seed.
     seed: u64,
-    /// The radius of the disc that is free at every node, in metres: that of a disc, or the reach of a footprint, with the margin.
+    /// The radius of the disc that is free at every node, in metres, with the margin: of a disc, or the reach of a footprint.
     turning_radius: f64,
 }
 

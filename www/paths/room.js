@@ -54,7 +54,12 @@ export function clearances(scenario, rows) {
   return { distances, least: { index, distance, pose: poseAt(index) } };
 }
 
-/** How far the nearest obstacle is; 0 in contact. @param {Scenario} scenario @param {Float64Array} pose @param {boolean} hasObstacles */
+/**
+ * How far the nearest obstacle is; 0 in contact.
+ * @param {Scenario} scenario
+ * @param {Float64Array} pose
+ * @param {boolean} hasObstacles
+ */
 function nearest(scenario, pose, hasObstacles) {
   if (!hasObstacles) return Infinity;
   return scenario.clearance(pose)?.distance ?? 0;

@@ -72,7 +72,11 @@ function metresOf(points) {
   return metres;
 }
 
-/** Where a value is among values that do not fall: an index, and a fraction towards the next one. @param {ArrayLike<number>} values @param {number} value */
+/**
+ * Where a value is among values that do not fall: an index, and a fraction towards the next one.
+ * @param {ArrayLike<number>} values
+ * @param {number} value
+ */
 function indexIn(values, value) {
   const i = firstIndex(1, values.length - 1, (one) => values[one] > value) - 1;
   const step = values[i + 1] - values[i];

@@ -178,7 +178,7 @@ export class RoomPanel {
     const isThere = answer !== null && answer.least !== null && playback !== null && shown !== null;
     chart.element.hidden = !isThere;
     if (!playback)
-      write(line, "There is no path yet. Run the planner to its end: then the clearance along its path is shown.");
+      write(line, "There is no path yet. Once the planner has found one, the clearance along it is shown here.");
     else if (along.fault) write(line, faultText(along.fault));
     else if (!answer) write(line, "The clearance along the path is being measured.");
     else if (!isThere) write(line, alongText(answer, 0));

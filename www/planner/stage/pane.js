@@ -251,6 +251,9 @@ export class Pane {
     const { places } = this;
     if (!pieces || !places) return;
     places.follow();
+    context.save();
+    // As faint as the growth beneath what is drawn of the room.
+    if (this.lane?.shown.room) context.globalAlpha = 0.2;
     for (const [members, colour] of /** @type {[number[], string][]} */ ([
       [pieces.start, palette.start],
       [pieces.goal, palette.goal],
@@ -259,6 +262,7 @@ export class Pane {
       for (const vertex of members)
         disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
     }
+    context.restore();
   }
 
   /**

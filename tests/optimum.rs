@@ -6,6 +6,7 @@ use planarium::geometry::{Point, Polygon, Vector, orientation};
 use planarium::optimum::{Method, MetricOptions, Optimum, ShortestPaths, by_all_tangents, optimum};
 use planarium::options::Options;
 use planarium::random::{Random, Stream};
+use planarium::run::Status;
 use planarium::run::inspect::Inspector;
 use planarium::scenario::Scenario;
 use std::f64::consts::{PI, TAU};
@@ -329,6 +330,34 @@ fn a_search_finds_what_all_tangents_give() {
             }
         }
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_planner_is_shorter_among_anything() {
+    let planners = [
+        ("rrt-connect", "shortcut=100 reduce=true"),
+        ("bit-star", "improve_iterations=400"),
+        ("rrt-star", "improve_iterations=200"),
+        ("prm", "samples=200"),
+        ("lazy-prm-star", "improve_iterations=400"),
+    ];
+    let (mut solved, count) = (0, cases(1000));
+    for seed in 0..count as u64 {
+        let mut random = Random::new(seed, Stream::Samples);
+        let obstacles = jumble(&mut random, seed);
+        let world = room(ROOM, &obstacles, 0.05 + 0.4 * random.uniform(), [[0.6; 2], [9.4; 2]]);
+        let (planner, settings) = planners[seed as usize % planners.len()];
+        let run = finish(begin_with(&world, planner, seed, &format!("max_iterations=3000 {settings}")));
+        match of(&world).length {
+            Some(length) if run.status() == Status::Solved => {
+                assert!(run.length() >= length * (1.0 - 1e-13), "seed {seed}: {planner} {} {length}", run.length());
+                solved += 1;
+            }
+            Some(_) => {}
+            None => assert_ne!(run.status(), Status::Solved, "seed {seed}: {planner} has a path"),
+        }
+    }
+    assert!(solved * 2 > count, "{solved} paths");
 }
 
 /// Blocked cells of a grid, each run of a row as one rectangle: they share parts of sides or only corners, and positions in the

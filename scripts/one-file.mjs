@@ -59,7 +59,7 @@ function fileOf(name, { core, folder, style: sheet, worker, documents }) {
   const inside = {
     sourcemap: false,
     // What reads maps and shows a part of them, and what times and judges paths, is not in it, nor does it get that far.
-    external: ["./world.js", "./zoom.js", "./door.js", "./timing-panel.js", "./judge/judge.js"],
+    external: ["./world.js", "./zoom.js", "./door.js", "./timing-panel.js", "./room-panel.js", "./judge/judge.js"],
     alias: { ...DRAW, planarium: library, "planarium/full": library },
     define: { "globalThis.EXPERIMENTS": JSON.stringify(readyExperiments()) },
   };

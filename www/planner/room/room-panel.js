@@ -219,7 +219,10 @@ export class RoomPanel {
       lines.push({ label: "", points: other.map((x, i) => [x, safest.distances[i]]), className: "series-3" });
       end = Math.max(end, other[other.length - 1]);
     }
-    write(chart.title, `Clearance along the path, m${safest?.least ? "; dotted: along the safest path" : ""}`);
+    write(
+      chart.title,
+      `Clearance from obstacles and bounds along the path, m${safest?.least ? "; dotted: along the safest path" : ""}`,
+    );
     chart.draw(
       lines,
       { title: "metres along the path", low: 0, high: end, isExact: true },

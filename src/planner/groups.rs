@@ -107,7 +107,7 @@ crate::options! {
 
 crate::options! {
     /// What the nearness of obstacles costs: at a clearance c every metre costs weight * max(0, 1 - c / within) besides its
-    /// length. The clearance is that of [`Clearance`](crate::run::Clearance).
+    /// length. The clearance is that of [`Clearance`](crate::run::inspect::Clearance).
     pub struct KeepingAway for &["disc"];
     /// Cost of a metre at contact besides its length: paths keep away from obstacles, more the larger it is; 0 counts lengths.
     clearance_weight: f64 = 0.0, in 0.0..=1e6, "Keep away", unit "m per m";

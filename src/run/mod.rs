@@ -69,9 +69,9 @@ pub(crate) use suitable::{LEARNED, check_use};
 pub use crate::options::Value;
 pub use crate::planner::{
     AorrtcOptions, BitStarOptions, EdgeOptions, FmtStarOptions, GoalBias, Improving, InformedRrtStarOptions,
-    LazyPrmOptions, LazyPrmStarOptions, Limits, Phase, PlannerInfo, PlannerOptions, Preset, PrmOptions, PrmStarOptions,
-    Reason, RrtConnectOptions, RrtControlOptions, RrtOptions, RrtStarOptions, Sampling, Searching, SstOptions, Status,
-    Termination, VisibilityPrmOptions, planners,
+    KeepingAway, LazyPrmOptions, LazyPrmStarOptions, Limits, Phase, PlannerInfo, PlannerOptions, Preset, PrmOptions,
+    PrmStarOptions, Reason, RrtConnectOptions, RrtControlOptions, RrtOptions, RrtStarOptions, Sampling, Searching,
+    SstOptions, Status, Termination, VisibilityPrmOptions, planners,
 };
 
 pub use crate::graph::{Event, EventKind, VertexId};

@@ -363,7 +363,10 @@ class Parts {
       case "LineString":
         return this.#part(LINE, list, pointer);
       case "MultiLineString":
-        return this.#each(list, pointer, (line, at) => this.#part(LINE, listOf(line, at), at));
+        return this.#each(list, pointer, (line, at) => {
+          const positions = listOf(line, at);
+          if (positions.length > 0) this.#part(LINE, positions, at);
+        });
       case "Polygon":
         return this.#polygon(list, pointer);
       default:
@@ -373,6 +376,7 @@ class Parts {
 
   /** @param {readonly unknown[]} rings @param {string} pointer */
   #polygon(rings, pointer) {
+    if (rings.length > 0 && listOf(rings[0], `${pointer}/0`).length === 0) return;
     this.#each(rings, pointer, (ring, at, i) => this.#part(i === 0 ? OUTLINE : HOLE, listOf(ring, at), at));
   }
 
@@ -430,17 +434,18 @@ function listOf(value, pointer) {
  * @param {unknown} value
  * @param {boolean} planar
  * @param {() => string} pointer
+ * @param {number} [first]  the index of its first number there
  * @returns {[number, number]}
  */
-function positionOf(value, planar, pointer) {
+function positionOf(value, planar, pointer, first = 0) {
   if (!Array.isArray(value) && !(ArrayBuffer.isView(value) && !(value instanceof DataView)))
     throw new PlanariumError("wrong-type", `a position must be an array of numbers, not ${kindOf(value)}`, pointer());
   const list = /** @type {readonly unknown[]} */ (value);
   if (list.length < 2)
     throw new PlanariumError("wrong-dimension", `a position has at least two numbers, not ${list.length}`, pointer());
   const [x, y] = [list[0], list[1]];
-  requireNumber(x, "a coordinate", () => `${pointer()}/0`);
-  requireNumber(y, "a coordinate", () => `${pointer()}/1`);
+  requireNumber(x, "a coordinate", () => `${pointer()}/${first}`);
+  requireNumber(y, "a coordinate", () => `${pointer()}/${first + 1}`);
   const most = planar ? [1e8, 1e8] : [180, 90];
   for (const [i, number] of [x, y].entries()) {
     if (Math.abs(number) <= most[i]) continue;
@@ -448,7 +453,7 @@ function positionOf(value, planar, pointer) {
     throw new PlanariumError(
       "out-of-range",
       `${what} must be from ${-most[i]} to ${most[i]}, not ${number}`,
-      `${pointer()}/${i}`,
+      `${pointer()}/${first + i}`,
     );
   }
   return [x, y];
@@ -503,7 +508,7 @@ function boundsOf(bounds, planar) {
         `bounds are four numbers, west, south, east and north, not ${list.length}`,
         "/bounds",
       );
-    return [0, 2].flatMap((i) => positionOf([list[i], list[i + 1]], planar, () => "/bounds"));
+    return [0, 2].flatMap((i) => positionOf([list[i], list[i + 1]], planar, () => "/bounds", i));
   }, "/bounds");
 }
 

@@ -1,7 +1,8 @@
 //! Paths of a disc that keep away from obstacles: their costs by closed forms, beside a fine grid, and what is refused.
 
-use crate::common::documents::{disc, rectangle, refuses, scenario};
+use crate::common::documents::{disc, judged, rectangle, refuses, scenario};
 use crate::common::{assert_valid, begin_with, cases, finish, options, requests};
+use planarium::path::PathCost;
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
 use planarium::run::{HISTORY_WIDTH, Run, Status};
@@ -191,4 +192,38 @@ fn what_viewers_ask_is_not_counted() {
         assert_eq!(run.stats(), alone.stats(), "{planner}");
         assert_eq!(run.result().to_json(), alone.result().to_json(), "{planner}");
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_straight_motion_past_something_is_no_cheapest_path() {
+    let floor = [rectangle([-1.0, -1.0], [11.0, 1.0])];
+    let world = world(&floor, [[1.0, 1.3], [9.0, 1.3]]);
+    let (_, straight) = cost(&world, "rrt", "").expect("a straight motion");
+    for (planner, settings, _) in PLANNERS {
+        let (_, cost) = cost(&world, planner, settings).expect("a path");
+        assert!(cost < 0.8 * straight, "{planner}: {cost} of {straight}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_wrong_cost_is_not_verified() {
+    let world = world(&[rectangle([4.0, 2.0], [6.0, 8.0])], [[1.0, 5.0], [9.0, 5.0]]);
+    let (run, _) = cost(&world, "rrt-star", "improve_iterations=200").expect("a path");
+    let right = run.result();
+    let change = |change: &dyn Fn(&mut PathCost)| {
+        let mut result = right.clone();
+        change(result.cost.as_mut().expect("a cost"));
+        judged(&world, &result)
+    };
+    assert!(change(&|_| {}).is_ok());
+    let wrong: [&dyn Fn(&mut PathCost); 7] = [
+        &|cost| cost.value *= 1.1,
+        &|cost| cost.value *= 0.9,
+        &|cost| cost.weight *= 2.0,
+        &|cost| cost.weight = 1e308,
+        &|cost| cost.within *= 2.0,
+        &|cost| cost.within = 1e-9,
+        &|cost| cost.value = right.length * 0.99,
+    ];
+    assert!(wrong.into_iter().all(|wrong| change(wrong).is_err()));
 }

@@ -90,7 +90,7 @@ enum Command {
     Optimum(optimum::Arguments),
     /// Print how wide a disc may be to pass from the start to the goal of a query, and the bottleneck
     Widest(widest::Arguments),
-    /// Print the path that keeps as far from obstacles as any from the start to the goal of a query, and of these the shortest
+    /// Print the shortest of the paths of a query that stay as far from obstacles as possible
     #[command(after_help = widest::SAFEST)]
     Safest(widest::Arguments),
     /// Make a sparse graph of proven edges over the free places, and print it as GeoJSON for the route server of Nav2

@@ -203,7 +203,7 @@ tables! { Planner(self, row)
     /// The recorded rows from row `row` (0 to `historyCount`) on, in rows of `historyWidth` numbers; empty unless `record` was
     /// called. A copy. Row i is the state after iteration i + 1, as `historyColumns` names it: vertices, edges, events, phase
     /// (its index in `phases`), configuration checks, motion checks, clearance evaluations (as in `stats`), and the length of the
-    /// best path so far, measured as in the result, which only ever falls and is `Infinity` while there is none. `finish` is no
-    /// iteration and adds no row.
+    /// best path so far, or its cost with `clearanceWeight`, as in the result. It only ever falls and is `Infinity` while there
+    /// is no path. `finish` is no iteration and adds no row.
     historySince: Vec<f64> = self.read(|run| run.history_count()) => self.read(|run| run.history_since(row));
 }

@@ -57,7 +57,7 @@ impl DiscValidity {
             least = least.min(self.obstacles.distance_within(i, &at, least));
             false
         });
-        least - self.radius
+        if least < reach { least - self.radius } else { most }
     }
 
     /// The slack of its tests, with the finest tolerance.

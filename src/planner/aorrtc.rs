@@ -217,7 +217,8 @@ impl<S: Space> Aorrtc<S> {
             self.costs.push(self.cost_by(problem, parent, &state));
         }
         let reached = reached?;
-        let total = parent.cost + self.cost_by(problem, reached, &state);
+        let last = problem.cost(self.trees.growth.graph.state(reached), &state);
+        let total = parent.cost + self.costs[reached.index()] + last;
         (total < bound).then(|| self.trees.meet(iteration, tree, added, reached))
     }
 

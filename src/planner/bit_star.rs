@@ -285,7 +285,7 @@ impl<S: Space> BitStar<S> {
             let [a, b] = [from, to].map(|vertex| self.best.growth.graph.state(vertex));
             parent.distance += problem.validity().nearness_cost(a, b);
             if !is_useful(&self.best, parent.distance) {
-                continue;
+                return true;
             }
             if self.best.try_parent(problem, iteration, to, parent) {
                 self.best.approach(to, to_goal);

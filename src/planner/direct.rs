@@ -1,8 +1,9 @@
 //! The straight motion from start to goal, tried before anything else.
 //!
 //! A planner of one query ends with it if it is free: its first iteration then adds the edge and nothing else. A planner that
-//! goes on to better paths ends with it if it leads to the nearest goal and costs no more than its length, as no path is
-//! cheaper. Roadmaps have it as an edge in any case: see [`Roadmap::connect_ends`](super::Roadmap).
+//! minimises costs does so only if the motion costs no more than its length, and one that goes on to better paths only if it
+//! leads to the nearest goal as well: no path is cheaper. Roadmaps have it as an edge in any case: see
+//! [`Roadmap::connect_ends`](super::Roadmap).
 
 use super::growth::{Growth, START, goals};
 use super::{Phase, Planner, Status};
@@ -16,14 +17,16 @@ pub(super) struct Direct<S: Space> {
     planner: Box<dyn Planner<S>>,
     /// Whether the planner goes on to shorter paths.
     improves: bool,
+    /// Whether its path is the cheapest that it finds.
+    minimises: bool,
     /// The goal that the straight motion leads to, if one is free, and its distance.
     arrived: Option<(VertexId, f64)>,
 }
 
 impl<S: Space> Direct<S> {
     /// Tries the straight motions first, then leaves the rest to the planner.
-    pub fn first(planner: Box<dyn Planner<S>>, improves: bool) -> Self {
-        Self { planner, improves, arrived: None }
+    pub fn first(planner: Box<dyn Planner<S>>, improves: bool, minimises: bool) -> Self {
+        Self { planner, improves, minimises, arrived: None }
     }
 
     /// Tries the motions from the start to the goals, the nearest first.
@@ -40,7 +43,7 @@ impl<S: Space> Direct<S> {
             let growth = self.planner.growth_mut();
             let state = growth.state(goal);
             if growth.is_motion_free(problem, problem.start(), &state) {
-                if self.improves && problem.validity().nearness_cost(problem.start(), &state) > 0.0 {
+                if self.minimises && problem.validity().nearness_cost(problem.start(), &state) > 0.0 {
                     return None;
                 }
                 growth.graph.add_edge(iteration, START, goal);

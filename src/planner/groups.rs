@@ -106,12 +106,12 @@ crate::options! {
 }
 
 crate::options! {
-    /// What the nearness of obstacles costs: at a clearance c every metre costs weight * max(0, 1 - c / within) besides its
-    /// length. The clearance is that of [`Clearance`](crate::run::inspect::Clearance).
+    /// What nearness to obstacles costs: each metre at clearance c costs an extra weight * max(0, 1 - c / within). The clearance
+    /// is that of [`Clearance`](crate::run::inspect::Clearance).
     pub struct KeepingAway for &["disc"];
-    /// Cost of a metre at contact besides its length: paths keep away from obstacles, more the larger it is; 0 counts lengths.
+    /// Extra cost per metre at contact: larger values keep paths farther from obstacles, 0 minimises length alone.
     clearance_weight: f64 = 0.0, in 0.0..=1e6, "Keep away", unit "m per m";
-    /// Clearance from which on nothing is added to lengths.
+    /// Clearance above which nothing is added to the length.
     clearance_within: Option<f64>, in 1e-6..=1e7, "Keep away within", unit "m",
         else "a twentieth of the world's longer side";
 }
@@ -219,7 +219,7 @@ crate::options! {
     improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
     /// Number of clearance evaluations after which to stop, with or without a path.
     stop_evaluations: Option<u64>, in 1.0..=1e15, "Evaluations", else "any number";
-    /// Length of a path that is short enough, as results report it, or its cost if it keeps away from obstacles.
+    /// Length, or with clearance_weight cost, at or below which the path is good enough, as results report it.
     stop_cost: Option<f64>, in 0.0..=1e9, "Length at most", unit "length of the path", else "none is";
     /// Number of iterations without a shorter path after which to stop.
     stop_stale: Option<u32>, in 1.0..=1e9, "No shorter for", else "any number";

@@ -42,7 +42,7 @@ impl<S: Space> Roadmap<S> {
         self.candidates.as_mut().expect("the roadmap is lazy")
     }
 
-    /// The length of the best path of a lazy roadmap that was searched; infinite if it has none.
+    /// The cost of the best path of a lazy roadmap that was searched; infinite if it has none.
     pub(super) fn best_cost(&self) -> f64 {
         self.candidates.as_ref().map_or(f64::INFINITY, |candidates| candidates.search.cost())
     }

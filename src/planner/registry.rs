@@ -122,7 +122,9 @@ macro_rules! registry {
                 self.check_limits()?;
                 let planner = match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }?;
                 Ok(if self.is_direct() {
-                    Box::new(Direct::first(planner, self.group::<Termination>().is_some()))
+                    let improves = self.group::<Termination>().is_some();
+                    let minimises = improves || matches!(self, PlannerOptions::FmtStar(_));
+                    Box::new(Direct::first(planner, improves, minimises))
                 } else {
                     planner
                 })

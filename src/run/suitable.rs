@@ -63,7 +63,7 @@ pub(super) fn check_options(changes: &[Change], edges: Option<&EdgeOptions>, rob
         return Err(Error::new(Code::Unsupported, "/blend", sentence));
     }
     if edges.is_some_and(|edges| edges.improving.blend > 0.0 && edges.keeping_away.clearance_weight > 0.0) {
-        let sentence = "corners are rounded only where lengths count alone, not with a clearance_weight";
+        let sentence = "blend cannot be combined with clearance_weight";
         return Err(Error::new(Code::Unsupported, "/blend", sentence));
     }
     Ok(())

@@ -345,7 +345,7 @@ test("options and ends that are none are refused", () => {
     [{ minDistanse: 1 }, "unknown-field", "/minDistanse"],
     [{ bounds: [0, 0, 1] }, "wrong-dimension", "/bounds"],
     [{ bounds: [0, 0, 1, 0] }, "out-of-range", "/bounds"],
-    [{ bounds: [0, 0, 1, NaN] }, "not-finite", "/bounds/1"],
+    [{ bounds: [0, 0, 1, NaN] }, "not-finite", "/bounds/3"],
     [{ coordinates: "feet" }, "out-of-range", "/coordinates"],
     [7, "wrong-type", ""],
   ]))

@@ -522,7 +522,7 @@ test("whoever is behind goes next: a frame that is too short leaves all nearly l
 
 test("lengths in different metrics are not compared; a tie is one; a path alone is not the shortest", () => {
   assert.deepEqual([[0], [0, 2], [0, 1, 2]].map(letters), ["A", "A and C", "A, B and C"]);
-  const one = { isOver: true, found: 10, cost: 5, metric: "sum", collides: false };
+  const one = { isOver: true, found: 10, cost: 5, metric: "sum", isCost: false, collides: false };
   assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), {
     first: [0, 1],
     shortest: [],

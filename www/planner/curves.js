@@ -75,7 +75,7 @@ export function watchCurves(page) {
       lanes.map((rows, i) => ({ label: label(i), points: column(rows, which) })),
     );
     // A path that keeps away from obstacles is not compared with the shortest.
-    const keepsAway = session.lanes.some(({ plan }) => Number(plan.settings.clearance_weight ?? 0) > 0);
+    const keepsAway = session.lanes.some((lane) => lane.keepsAway);
     const optima = session.lanes.map(({ optimum }) => (keepsAway ? null : optimum));
     const [optimum] = optima;
     const isExact = optima.every((one) => one?.isExact !== false);

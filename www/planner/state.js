@@ -62,7 +62,7 @@ export function report(session) {
 
 /** @param {Lane} lane */
 function laneState(lane) {
-  const { run, playback, scenario, standing, asked, optimum: truth } = lane;
+  const { run, playback, scenario, standing, asked, keepsAway, optimum: truth } = lane;
   const { algorithm } = lane.plan;
   /** @type {LaneState["optimum"]} */
   const optimum = truth && (truth.isExact ? "shortest" : "reference");
@@ -85,11 +85,12 @@ function laneState(lane) {
     motions: past[PAST.motionChecks],
     evaluations: past[PAST.clearanceEvaluations],
     cost: past[PAST.length],
-    gap: gapOf(past[PAST.length], truth),
+    // A cost is not compared with a length.
+    gap: keepsAway ? null : gapOf(past[PAST.length], truth),
     length:
       isEnd && status === "solved"
         ? (run.result.blended_length ?? run.result.length)
-        : run.phase === "improving" && past[PAST.length] < Infinity
+        : run.phase === "improving" && past[PAST.length] < Infinity && !keepsAway
           ? past[PAST.length]
           : null,
     unit: unitOf(scenario.document().robot),
@@ -105,7 +106,7 @@ function laneState(lane) {
     hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded),
     hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
-    raw: playback?.raw ? run.rawLength : null,
+    raw: playback?.raw && !keepsAway ? run.rawLength : null,
     waypoints: status === "solved" ? run.result.path.length : null,
     visited: run.isTree ? null : run.visited,
     rejected: run.countOf(EVENT.rejected),

@@ -95,21 +95,25 @@ function controls({ settings: { blossom = 1 } }) {
 export function ending(run, playback) {
   const iterations = counted(run.made, "iteration");
   const { robot } = run.scenario;
-  const { length, blends, blended_length: blended, approximate } = run.result;
+  const { length, cost, blends, blended_length: blended, approximate } = run.result;
   if (run.status === "solved") {
     const early = run.result.explanation ? ` ${capital(run.result.explanation)}.` : "";
-    const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, run.scenario)}` : "";
+    // What nearness to obstacles adds is no length.
+    const [first, best] = cost
+      ? [`cost ${run.rawLength.toFixed(2)}`, `cost ${cost.value.toFixed(2)}, ${costText(length, run.scenario)}`]
+      : [lengthText(run.rawLength, run.scenario), costText(length, run.scenario)];
+    const shorter = playback?.raw ? `, ${cost ? "improved" : "shortened"} from ${first}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
     // A tree that grows past its first path finds shorter ones.
     if (run.goesOn && run.countOf(EVENT.solved) > 1) {
-      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, run.scenario)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.${early}`;
+      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${first}; after ${grouped(run.made)} the best: ${best}, ${certainty(run.isProven)}.${early}`;
     }
     const round = blends?.filter(([before]) => before > 0).length ?? 0;
     const rounded =
       blends && blended !== undefined
         ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, run.scenario)}`
         : "";
-    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.${early}`;
+    return `Path found after ${iterations}: ${best}${shorter}${rounded}, ${certainty(run.isProven)}.${early}`;
   }
   const { reason, explanation = "no path was found" } = run.result;
   const why = capital(explanation);

@@ -3,9 +3,9 @@
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
-use super::near::near;
-use super::{Examined, Scale};
-use crate::geometry::{Point, Segment, Vector};
+use super::near::{Near, near};
+use super::{Examined, LARGEST, Scale};
+use crate::geometry::{Aabb, Point, Segment, Vector};
 use crate::path::PathCost;
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
@@ -62,37 +62,51 @@ pub(super) fn check(
     Ok(examined)
 }
 
-/// The steps of a cost's recomputation, as a part of the clearance from which nothing is added, and the most of an edge.
+/// The steps of a cost's recomputation, as a part of the clearance from which nothing is added.
 const STEP: f64 = 1.0 / 64.0;
-const MOST_STEPS: f64 = 200_000.0;
 
-/// What costs may differ by, as a part of the weight times the length.
+/// The least of that clearance, as a part of the longer side of the bounds: planners take no less.
+const LEAST_WITHIN: f64 = 1.0 / 2048.0;
+
+/// The largest weight that planners take.
+const LARGEST_WEIGHT: f64 = 1e6;
+
+/// What costs may differ by, as a part of the weight times the length along which something is added.
 const COST: f64 = 1.0 / 32.0;
 
 /// Returns an error if the given cost is not that of the path, by the trapezoidal rule.
 pub(super) fn check_cost(world: &World, disc: &DiscRobot, path: &[Vec<f64>], cost: &PathCost) -> Result<(), String> {
     let &PathCost { value, weight, within } = cost;
-    if !(within > 0.0 && [value, weight, within].iter().all(|number| number.is_finite())) {
+    let least = LEAST_WITHIN * world.bounds.as_ref().map_or(0.0, Aabb::longer_side);
+    if !(value.is_finite() && (0.0..=LARGEST_WEIGHT).contains(&weight) && (least..=LARGEST).contains(&within)) {
         return Err(format!("the cost is given as {value}, with the weight {weight} within {within} m"));
     }
     let radius = disc.kept_radius();
-    let (mut length, mut nearness) = (0.0, 0.0);
+    let (mut length, mut nearness, mut beside) = (0.0, 0.0, 0.0);
     for ends in path.windows(2) {
         let [a, b] = [0, 1].map(|i| Point::new(ends[i][0], ends[i][1]));
-        let near = near(&world.obstacles, &Segment::new(a, b).aabb(), radius + within);
+        let near = near(&world.obstacles, &Segment::new(a, b).aabb(), radius + (1.0 + STEP) * within);
         let at = |t: f64| {
             let p = a + t * (b - a);
-            let distances = near.iter().map(|near| near.obstacle.distance_to_segment(&Segment::new(p, p)) - radius);
-            (1.0 - distances.fold(within, f64::min) / within).min(1.0)
+            let reach = radius + (1.0 + STEP) * within;
+            let distance = |near: &Near| near.obstacle.distance_to_segment_within(&Segment::new(p, p), reach);
+            near.iter().map(distance).fold(reach, f64::min) - radius
         };
+        let added = |clearance: f64| (1.0 - clearance / within).clamp(0.0, 1.0);
         let whole = (b - a).norm();
-        let steps = libm::ceil(whole / (STEP * within)).clamp(1.0, MOST_STEPS);
-        let inner: f64 = (1..steps as u32).map(|i| at(f64::from(i) / steps)).sum();
-        nearness += whole / steps * (inner + 0.5 * (at(0.0) + at(1.0)));
+        let steps = libm::ceil(whole / (STEP * within)).max(1.0);
+        let mut before = at(0.0);
+        for i in 1..=steps as u32 {
+            let after = at(f64::from(i) / steps);
+            nearness += whole / steps * 0.5 * (added(before) + added(after));
+            // The planner's pieces are longer.
+            beside += if before.min(after) < (1.0 + STEP) * within { whole / steps } else { 0.0 };
+            before = after;
+        }
         length += whole;
     }
     let measured = length + weight * nearness;
-    if (value - measured).abs() > COST * weight * length + 1e-6 * measured {
+    if measured.is_nan() || (value - measured).abs() > COST * weight * beside + 1e-6 * measured {
         return Err(format!("the cost is given as {value}, but that of the path is {measured}"));
     }
     Ok(())

@@ -171,8 +171,8 @@ pub fn resume<S: Space + 'static>(
 /// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two
 /// states whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former
 /// are to be proven again, motions that were refused and may touch the latter are candidates again, and all others stay as they
-/// are; [surcharges](crate::problem::Validity::surcharge) are known of those alone that are proven again. Former ends that are ends
-/// no longer are no vertices any more. O(states + edges), and the index of neighbours.
+/// are; [surcharges](crate::problem::Validity::surcharge) are known of those alone that are proven again. Former ends that are
+/// ends no longer are no vertices any more. O(states + edges), a cost of each edge, and the index of neighbours.
 pub fn reopen<S: Space + 'static>(
     problem: &Problem<S>,
     kept: &Roadmap<S>,
@@ -193,15 +193,14 @@ pub fn reopen<S: Space + 'static>(
         let candidates = roadmap.candidates.as_mut().expect("the roadmap is lazy");
         candidates.unchecked[vertex.index()] = was_unchecked || added(state, state);
     }
-    let tried = |ends: &[VertexId; 2], state| Edge { ends: *ends, cost: kept.cost(problem, *ends), state };
-    let edges: Vec<Edge> = match &kept.candidates {
-        Some(candidates) => candidates.search.edges().to_vec(),
+    let edges: Vec<([VertexId; 2], EdgeState)> = match &kept.candidates {
+        Some(candidates) => candidates.search.edges().iter().map(|edge| (edge.ends, edge.state)).collect(),
         None => {
-            let proven = kept.graph().edges().iter().map(|ends| tried(ends, EdgeState::Proven));
-            proven.chain(kept.refused.iter().map(|ends| tried(ends, EdgeState::Refused))).collect()
+            let proven = kept.graph().edges().iter().map(|ends| (*ends, EdgeState::Proven));
+            proven.chain(kept.refused.iter().map(|ends| (*ends, EdgeState::Refused))).collect()
         }
     };
-    for Edge { ends, state, .. } in edges {
+    for (ends, state) in edges {
         let [from, to] = ends.map(|end| kept.graph().state(end));
         let is_open = match state {
             EdgeState::Assumed => true,

@@ -30,7 +30,7 @@ pub(super) struct Runner<S: Space> {
     reason: Option<Reason>,
     limiting: Limiting,
     weights: Weights,
-    /// The lengths of the paths so far, if the planner goes on to shorter ones.
+    /// The costs of the paths so far, if the planner goes on to better ones.
     progress: Option<Progress>,
     /// The cost of the planner's path, and that by the planner's count for which it was computed; infinite without a path.
     path_cost: f64,

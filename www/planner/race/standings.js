@@ -6,6 +6,7 @@
  * @property {number | null} found   clearance evaluations until its first path
  * @property {number} cost           of its best path so far, Infinity without a path
  * @property {string} metric         of the cost
+ * @property {boolean} isCost        whether obstacles add to lengths
  * @property {boolean} collides      whether its path, which is not proven, is known to touch an obstacle
  */
 

@@ -81,7 +81,7 @@ export class Table {
               `${lane.cost.toFixed(2)} ${lane.unit}`.trim(),
               lane.gap !== null && `gap ${percent(lane.gap)}`,
               lane.standing.collides ? "it collides" : !lane.isProven && "not proven",
-              shortest.includes(i) && `shortest${isOver ? "" : " so far"}`,
+              shortest.includes(i) && `${lane.standing.isCost ? "cheapest" : "shortest"}${isOver ? "" : " so far"}`,
             ),
         lane.waypoints === null ? "\u2013" : grouped(lane.waypoints),
         lane.visited === null ? "\u2013" : grouped(lane.visited),
@@ -90,7 +90,11 @@ export class Table {
       setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
     });
-    write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");
+    const isCost = lanes.some(({ standing }) => standing.isCost);
+    const remark = isCost
+      ? "The planners keep away from obstacles differently, so their costs cannot be compared."
+      : "The planners use different metrics, so their path lengths cannot be compared.";
+    write(this.remark, isAlike ? "" : remark);
   }
 }
 

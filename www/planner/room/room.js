@@ -18,6 +18,28 @@ import { Question } from "./question.js";
  * @property {() => void} markDirty
  */
 
+/** Into how many parts a path is divided for the chart of its clearance, about. */
+const PARTS = 400;
+
+/**
+ * A path with more points along its straight pieces.
+ * @param {[number, number][]} path @returns {[number, number][]}
+ */
+function divided(path) {
+  const lengthOf = (/** @type {number} */ i) => Math.hypot(path[i + 1][0] - path[i][0], path[i + 1][1] - path[i][1]);
+  let whole = 0;
+  for (let i = 0; i + 1 < path.length; i++) whole += lengthOf(i);
+  return path.flatMap(([x, y], i) => {
+    if (i + 1 === path.length || whole === 0) return [/** @type {[number, number]} */ ([x, y])];
+    const [u, v] = path[i + 1];
+    const parts = Math.max(1, Math.ceil((PARTS * lengthOf(i)) / whole));
+    return Array.from(
+      { length: parts },
+      (_, k) => /** @type {[number, number]} */ ([x + (k / parts) * (u - x), y + (k / parts) * (v - y)]),
+    );
+  });
+}
+
 export class Room {
   /** @param {{ app: App, session: Session }} page @param {() => void} onChange */
   constructor({ app, session }, onChange) {
@@ -36,8 +58,10 @@ export class Room {
     );
     this.safest = new Question(
       app,
-      (signal, /** @type {ScenarioDocument} */ document, /** @type {string | undefined} */ query) =>
-        workerWith(document).safest(query, signal),
+      async (signal, /** @type {ScenarioDocument} */ document, /** @type {string | undefined} */ query) => {
+        const found = await workerWith(document).safest(query, signal);
+        return { ...found, path: divided(found.path) };
+      },
       change,
     );
     this.routes = new Question(

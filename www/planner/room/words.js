@@ -62,10 +62,11 @@ export function widestText({ radius, limit, between }, robot) {
  * @param {number | null} shortest   the length of the shortest path of the robot, if it is known
  */
 export function safestText({ radius, length }, shortest) {
-  if (radius === null || length === null) return "There is none: not even a point passes.";
+  if (radius === null) return "There is none: not even a point passes.";
+  if (length === null) return "It was not found: rounding closes the passage.";
   const longer = shortest ? 100 * (length / shortest - 1) : null;
   const compared = longer === null ? "" : `, ${percent(Math.max(0, longer))} longer than the shortest`;
-  return `${num(length)} m long${compared}. Its centre keeps ${num(radius, 3)} m from everything; no path keeps more.`;
+  return `${num(length)} m long${compared}. Its centre keeps ${num(radius, 3)} m from everything; no path keeps a larger distance.`;
 }
 
 /** A route graph. @param {RouteGraph} graph */

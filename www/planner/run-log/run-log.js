@@ -283,7 +283,7 @@ export class RunLog {
     return this.countOf(kind) > 0;
   }
 
-  /** The length of the path before shortcutting; Infinity without a path. */
+  /** The cost of the path before shortcutting; Infinity without a path. It is the length unless obstacles add to it. */
   get rawLength() {
     const found = this.foundBy(this.made);
     return found < 0 ? Infinity : this.history.row(found)[PAST.length];

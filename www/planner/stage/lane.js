@@ -146,6 +146,11 @@ export class Lane {
     this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 
+  /** Whether its paths keep away from obstacles: its costs are no lengths. */
+  get keepsAway() {
+    return this.scenario.robot === "disc" && Number(this.plan.settings.clearance_weight ?? 0) > 0;
+  }
+
   /** The metric of its costs. @returns {Metric} */
   get metric() {
     return this.scenario.robot === "arm"
@@ -161,7 +166,10 @@ export class Lane {
       isOver: run?.status !== "running",
       found: run && at >= 0 ? run.history.row(at)[PAST.clearanceEvaluations] : null,
       cost: run ? run.past[PAST.length] : Infinity,
-      metric: this.metric,
+      metric: this.keepsAway
+        ? [this.metric, this.plan.settings.clearance_weight, this.plan.settings.clearance_within].join(" ")
+        : this.metric,
+      isCost: this.keepsAway,
       collides: Boolean(this.playback?.flaw),
     };
   }

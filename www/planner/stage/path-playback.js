@@ -195,7 +195,7 @@ function parts(count) {
 export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;
   if (run.status === "solved") {
-    const raw = run.rawLength > run.result.length ? run.rawPath : null;
+    const raw = run.rawLength > (run.result.cost?.value ?? run.result.length) ? run.rawPath : null;
     return new PathPlayback(scenario, rowsAlong(scenario, run.result), {
       isProven,
       raw,

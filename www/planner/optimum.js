@@ -3,19 +3,12 @@
  * that no planner waits for it.
  */
 import { errorInfo } from "../app/error-info.js";
+import { hasOptimum } from "./stage/lane.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Lane, Metric, Optimum } from "./stage/lane.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-
-/**
- * Whether the shortest path of such a robot is known, or a reference.
- * @param {{ robot: string, dimension: number }} scenario
- */
-export function hasOptimum({ robot, dimension }) {
-  return robot === "disc" || (robot === "arm" && dimension === 2);
-}
 
 /**
  * By how much a path is longer, in percent; null if either is unknown.

@@ -3,7 +3,7 @@
  * the shortest path, the axes.
  */
 import { byId, make, write } from "../app/dom.js";
-import { hasOptimum } from "./optimum.js";
+import { hasOptimum } from "./stage/lane.js";
 import { row, toggle } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */

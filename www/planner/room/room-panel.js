@@ -10,7 +10,7 @@ import { Chart } from "../../widgets/chart.js";
 import { row, toggle } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 import { Slider } from "../../widgets/slider.js";
-import { hasOptimum } from "../optimum.js";
+import { hasOptimum } from "../stage/lane.js";
 import { ClearanceAxis } from "./axis.js";
 import { Room } from "./room.js";
 import { OTHERS, alongText, faultText, routesText, safestText, widestText } from "./words.js";

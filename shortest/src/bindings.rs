@@ -48,7 +48,7 @@ impl ShortestMap {
     /// is none.
     ///
     /// # Errors
-    /// As those of the constructor.
+    /// As the constructor.
     pub fn query(&self, x: f64, y: f64, to_x: f64, to_y: f64) -> Result<Vec<f64>, JsValue> {
         let numbers = |Found { length, distortion, path, .. }| {
             [length, distortion].into_iter().chain(path.into_iter().flatten()).collect()

@@ -1,8 +1,8 @@
 //! What the nearness of obstacles adds to the cost of a disc's motion.
 //!
-//! At a clearance of c metres every metre costs weight * max(0, 1 - c / within) besides its length: nothing from `within` on,
-//! `weight` at contact. A motion is halved into pieces of at most a sixteenth of `within`, each of which costs what its middle
-//! does. Clearances change by no more than a metre a metre, so the sum differs from the integral by at most `weight` / 64 of the
+//! Each metre at a clearance of c metres costs an extra weight * max(0, 1 - c / within): nothing from `within` on, `weight` at
+//! contact. A motion is halved into pieces of at most a sixteenth of `within`, each of which costs what its middle
+//! does. Clearances change by at most one metre per metre, so the sum differs from the integral by at most `weight` / 64 of the
 //! length, and by far less as a rule; a piece whose middle has `within` and half the piece of clearance costs nothing, exactly.
 
 use crate::geometry::{Point, Segment};
@@ -13,7 +13,7 @@ const PIECE: f64 = 1.0 / 16.0;
 /// How a disc keeps away from obstacles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct KeepAway {
-    /// What a metre at contact costs besides its length, in metres; 0 or more.
+    /// The extra cost per metre at contact, in metres; 0 or more.
     pub weight: f64,
     /// The clearance from which nothing is added, in metres; above 0.
     pub within: f64,

@@ -127,8 +127,8 @@ pub struct ResultDocument {
     pub approximate: Option<Approximate>,
 }
 
-/// The cost of a path of a disc that keeps away from obstacles: at a clearance of c metres every metre costs
-/// `weight` * max(0, 1 - c / `within`) besides its length. Bounds do not count.
+/// The cost of a path of a disc that keeps away from obstacles: each metre at a clearance of c metres costs an extra
+/// `weight` * max(0, 1 - c / `within`). Bounds do not count.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -136,7 +136,7 @@ pub struct PathCost {
     /// The length and what is added to it, in metres, to `weight` / 64 of the length at worst.
     #[serde(deserialize_with = "json::not_negative")]
     pub value: f64,
-    /// What a metre at contact costs besides its length, in metres.
+    /// The extra cost per metre at contact, in metres.
     #[serde(deserialize_with = "json::not_negative")]
     pub weight: f64,
     /// The clearance from which nothing is added, in metres.

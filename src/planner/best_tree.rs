@@ -34,6 +34,12 @@ impl<S: Space> BestTree<S> {
         self.best.map_or(f64::INFINITY, |(_, cost)| cost)
     }
 
+    /// A neighbour with the cost of the motion from it to a state in place of its distance, which is never more.
+    pub fn priced(&self, problem: &Problem<S>, near: Neighbour, to: &S::State) -> Neighbour {
+        let added = problem.validity().nearness_cost(self.growth.graph.state(near.vertex), to);
+        Neighbour { distance: near.distance + added, ..near }
+    }
+
     /// Notes that a vertex of the tree is so near to a goal.
     pub fn approach(&mut self, vertex: VertexId, distance: f64) {
         if distance < self.closest.1 {

@@ -272,18 +272,16 @@ impl<S: Space> BitStar<S> {
                 self.expand(problem, iteration, from);
                 return true;
             };
-            let mut parent = Neighbour { vertex: from, distance: distance.value() };
+            let near = Neighbour { vertex: from, distance: distance.value() };
             let Node { to_goal, is_expanded, .. } = self.nodes[to.index()];
             let is_useful = |best: &BestTree<S>, distance: f64| {
                 let cost = best.tree.cost(from) + distance;
                 cost < best.tree.cost(to) && cost + to_goal < best.bound()
             };
-            if !is_useful(&self.best, parent.distance) {
+            if !is_useful(&self.best, near.distance) {
                 continue;
             }
-            // No motion costs less than its length.
-            let [a, b] = [from, to].map(|vertex| self.best.growth.graph.state(vertex));
-            parent.distance += problem.validity().nearness_cost(a, b);
+            let parent = self.best.priced(problem, near, self.best.growth.graph.state(to));
             if !is_useful(&self.best, parent.distance) {
                 return true;
             }

@@ -173,7 +173,7 @@ impl<S: Space> FmtStar<S> {
             let state = self.best.growth.state(vertex);
             find_near(problem, &mut self.best.growth, &self.index, (Direction::In, &state), neighbourhood, around);
             for near in &mut *around {
-                near.distance += problem.validity().nearness_cost(self.best.growth.graph.state(near.vertex), &state);
+                *near = self.best.priced(problem, *near, &state);
             }
         }
         self.best.growth.looked += around.len() as u64;
@@ -201,9 +201,8 @@ impl<S: Space> FmtStar<S> {
             if self.stages[to] != Stage::Waiting {
                 continue;
             }
-            let [a, b] = [at.vertex, near.vertex].map(|vertex| self.best.growth.graph.state(vertex));
-            let distance = near.distance + problem.validity().nearness_cost(a, b);
-            let from = Neighbour { vertex: at.vertex, distance };
+            let from = Neighbour { vertex: at.vertex, distance: near.distance };
+            let from = self.best.priced(problem, from, self.best.growth.graph.state(near.vertex));
             let parent = self.parent(problem, at.neighbourhood, near.vertex, from);
             if self.refused[to].contains(&parent.vertex) {
                 continue;

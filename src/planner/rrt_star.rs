@@ -186,17 +186,12 @@ impl<S: Space> RrtStar<S> {
             self.best.refuse(iteration, nearest.vertex, None, state);
             return None;
         }
-        nearest.distance += problem.validity().nearness_cost(&origin, &state);
+        nearest = self.best.priced(problem, nearest, &state);
         let limit = self.cost_by(nearest).min(goal.map_or(f64::INFINITY, |goal| self.best.tree.cost(goal)));
         self.find(problem, Direction::In, &state);
-        // No motion costs less than its length.
-        let found = self.found.iter().filter(|&&neighbour| self.cost_by(neighbour) < limit);
-        let costs = found.map(|near| {
-            let from = self.best.growth.graph.state(near.vertex);
-            let added = problem.validity().nearness_cost(from, &state);
-            let neighbour = Neighbour { distance: near.distance + added, ..*near };
-            (self.cost_by(neighbour), neighbour)
-        });
+        let found = self.found.iter().filter(|&&near| self.cost_by(near) < limit);
+        let priced = found.map(|&near| self.best.priced(problem, near, &state));
+        let costs = priced.map(|near| (self.cost_by(near), near));
         let mut cheaper: Vec<_> = costs.filter(|&(cost, _)| cost < limit).collect();
         by_cost(&mut cheaper);
         Some(Choosing { state, goal, nearest, cheaper: cheaper.into_iter() })
@@ -249,13 +244,12 @@ impl<S: Space> RrtStar<S> {
 
     /// Makes a new vertex the parent of a vertex at a distance, if the path through it is cheaper and the motion free.
     fn offer(&mut self, problem: &Problem<S>, iteration: u32, new: VertexId, to: Neighbour) {
-        let mut parent = Neighbour { vertex: new, ..to };
-        if self.cost_by(parent) >= self.best.tree.cost(to.vertex) {
+        let (near, former) = (Neighbour { vertex: new, ..to }, self.best.tree.cost(to.vertex));
+        if self.cost_by(near) >= former {
             return;
         }
-        let [from, at] = [new, to.vertex].map(|vertex| self.best.growth.graph.state(vertex));
-        parent.distance += problem.validity().nearness_cost(from, at);
-        if self.cost_by(parent) < self.best.tree.cost(to.vertex) {
+        let parent = self.best.priced(problem, near, self.best.growth.graph.state(to.vertex));
+        if self.cost_by(parent) < former {
             self.best.try_parent(problem, iteration, to.vertex, parent);
         }
     }

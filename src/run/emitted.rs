@@ -17,7 +17,7 @@ const STEPS: u32 = 10;
 pub(super) struct EmittedPath<S: Space> {
     pub states: Vec<S::State>,
     /// The length: along controlled motions that of the dynamics, else in the metric of the space, whose curves are measured
-    /// whole. To the bit the cost that planners minimise.
+    /// whole. To the bit the cost that planners minimise, unless obstacles add to it.
     pub length: f64,
     /// The length and what the nearness of obstacles adds.
     pub cost: f64,

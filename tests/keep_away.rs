@@ -1,6 +1,6 @@
 //! Paths of a disc that keep away from obstacles: their costs by closed forms, beside a fine grid, and what is refused.
 
-use crate::common::documents::{disc, judged, rectangle, refuses, scenario};
+use crate::common::documents::{disc, disc_among, judged, rectangle, refuses};
 use crate::common::{assert_valid, begin_with, cases, finish, options, requests};
 use planarium::path::PathCost;
 use planarium::random::{Random, Stream};
@@ -11,7 +11,6 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const ROBOT: &str = r#"{"type": "disc", "radius": 0.25}"#;
 const WEIGHT: f64 = 3.0;
 const WITHIN: f64 = 1.5;
 
@@ -28,9 +27,8 @@ const PLANNERS: [(&str, &str, f64); 8] = [
     ("lazy-prm", "samples=1500", 1.05),
 ];
 
-fn world(obstacles: &[String], [start, goal]: [[f64; 2]; 2]) -> Scenario {
-    let query = format!(r#""start": {start:?}, "goal": {goal:?}"#);
-    scenario("[0, 0], [10, 10]", &obstacles.join(","), ROBOT, &query)
+fn world(obstacles: &[String], ends: [[f64; 2]; 2]) -> Scenario {
+    disc_among("[0, 0], [10, 10]", obstacles, 0.25, ends)
 }
 
 /// A run to its end, whose result the verifier accepts, and its cost.

@@ -1,6 +1,6 @@
 //! The shortest path of a query: closed forms, an independent visibility graph on random worlds, ways that only touch, and references.
 
-use crate::common::documents::{disc, judged, polygon, rectangle, refuses, scenario};
+use crate::common::documents::{disc, disc_among, judged, polygon, rectangle, refuses, scenario};
 use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, seeds};
 use planarium::geometry::{Point, Polygon, Vector, orientation};
 use planarium::optimum::{Method, MetricOptions, Optimum, ShortestPaths, by_all_tangents, optimum};
@@ -13,12 +13,6 @@ use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const ROOM: &str = "[0, 0], [10, 10]";
-
-/// A disc of the given radius among obstacles, in a box of side 10 unless another is given.
-fn room(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
-    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
-    scenario(bounds, &obstacles.join(","), &robot, &format!(r#""start": {start:?}, "goal": {goal:?}"#))
-}
 
 fn of(world: &Scenario) -> Optimum {
     optimum(world, None, MetricOptions::default()).unwrap_or_else(|error| panic!("{error}"))
@@ -43,7 +37,8 @@ fn lengths_with_a_closed_form() {
         let bounds = format!("[{0:?}, {0:?}], [{1:?}, {1:?}]", -5.0 * scale, 5.0 * scale);
         let r = radius * scale;
         let s = |x: f64| x * scale;
-        let world = |obstacles: &[String], a: f64, b: f64| room(&bounds, obstacles, r, [[s(a), 0.0], [s(b), 0.0]]);
+        let world =
+            |obstacles: &[String], a: f64, b: f64| disc_among(&bounds, obstacles, r, [[s(a), 0.0], [s(b), 0.0]]);
 
         assert_close(shortest(&world(&[], -4.0, 3.0)), s(7.0), s(5.0));
 
@@ -83,25 +78,25 @@ fn a_way_that_only_touches_is_none() {
     for radius in [0.0, 0.5] {
         let through = |gap: f64| {
             let walls = [rectangle([4.0, 0.0], [6.0, 5.0 - gap / 2.0]), rectangle([4.0, 5.0 + gap / 2.0], [6.0, 10.0])];
-            of(&room(ROOM, &walls, radius, ends)).length
+            of(&disc_among(ROOM, &walls, radius, ends)).length
         };
         assert_eq!(through(2.0 * radius), None, "a disc of radius {radius}");
         assert_close(through(2.0 * radius + 1e-9).expect("a gap"), 8.0, 10.0);
         // Between a wall and the bounds, which may be touched.
         let below = |gap: f64| {
             let walls = [rectangle([4.0, gap], [6.0, 10.0])];
-            of(&room(ROOM, &walls, radius, ends)).length
+            of(&disc_among(ROOM, &walls, radius, ends)).length
         };
         assert_eq!(below(2.0 * radius), None);
         assert!(below(2.0 * radius + 1e-9).is_some());
         // Polygons that share only a corner, and a disc that touches a wall.
         let diagonal = [rectangle([0.0, 5.0], [5.0, 10.0]), rectangle([5.0, 0.0], [10.0, 5.0])];
-        assert_eq!(of(&room(ROOM, &diagonal, radius, [[2.0, 2.0], [8.0, 8.0]])).length, None);
+        assert_eq!(of(&disc_among(ROOM, &diagonal, radius, [[2.0, 2.0], [8.0, 8.0]])).length, None);
         let ring = [disc([5.0, 4.0], 4.0), rectangle([4.0, 8.0], [6.0, 10.0])];
-        let walled = of(&room(ROOM, &ring, 0.75, [[1.0, 9.0], [9.0, 9.0]]));
+        let walled = of(&disc_among(ROOM, &ring, 0.75, [[1.0, 9.0], [9.0, 9.0]]));
         assert_eq!((walled.length, walled.exact, walled.path.len()), (None, true, 0));
     }
-    let here = of(&room(ROOM, &[], 0.5, [[2.0, 3.0]; 2]));
+    let here = of(&disc_among(ROOM, &[], 0.5, [[2.0, 3.0]; 2]));
     assert_eq!((here.length, here.path), (Some(0.0), vec![vec![2.0, 3.0]]));
 }
 
@@ -175,7 +170,7 @@ fn points_go_as_a_visibility_graph_says() {
         let obstacles: Vec<_> = polygons.iter().map(|corners| obstacle(corners)).collect();
         let ends = [[0.4, 0.4 + random.uniform()], [9.6, 9.6 - random.uniform()]];
         let expected = by_corners(&polygons, [0.0, 10.0], ends.map(|[x, y]| Point::new(x, y)));
-        let length = of(&room(ROOM, &obstacles, 0.0, ends)).length;
+        let length = of(&disc_among(ROOM, &obstacles, 0.0, ends)).length;
         assert_eq!(length.is_some(), expected.is_some(), "seed {seed}");
         if let Some((length, expected)) = length.zip(expected) {
             assert_close(length, expected, 10.0);
@@ -230,7 +225,7 @@ fn discs_go_between_two_visibility_graphs() {
         };
         let ends = [[0.6, 0.6], [9.4, 9.4]];
         let obstacles: Vec<_> = shapes.iter().map(written).collect();
-        let length = of(&room(ROOM, &obstacles, radius, ends)).length.expect("a way along the border");
+        let length = of(&disc_among(ROOM, &obstacles, radius, ends)).length.expect("a way along the border");
         let grown = |factor: f64| {
             let grow = |(corners, round): &(Vec<Point>, f64)| {
                 hull(
@@ -255,7 +250,7 @@ fn no_run_is_shorter_and_the_path_is_that_long() {
         let radius = if seed % 2 == 0 { 0.2 } else { 0.0 };
         let mut obstacles: Vec<_> = (0..5).map(|i| obstacle(&about(&mut random, 1.2, i > 2))).collect();
         obstacles.push(disc([5.0, 5.0], 1.0));
-        let world = room(ROOM, &obstacles, radius, [[0.5, 0.5], [9.5, 9.5]]);
+        let world = disc_among(ROOM, &obstacles, radius, [[0.5, 0.5], [9.5, 9.5]]);
         let found = of(&world);
         let length = found.length.expect("a way along the border");
         let run = finish(begin_with(&world, "rrt-connect", seed, "shortcut=200 reduce=true"));
@@ -318,7 +313,7 @@ fn a_search_finds_what_all_tangents_give() {
         let mut random = Random::new(seed, Stream::Samples);
         let obstacles = jumble(&mut random, seed);
         let radius = if seed % 2 == 0 { 0.0 } else { 0.05 + 0.4 * random.uniform() };
-        let world = room(ROOM, &obstacles, radius, [[0.6; 2], [9.4; 2]]);
+        let world = disc_among(ROOM, &obstacles, radius, [[0.6; 2], [9.4; 2]]);
         let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
         let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
         for ends in [[[0.6; 2], [9.4; 2]], [[9.4; 2], [0.6; 2]]] {
@@ -345,7 +340,7 @@ fn no_planner_is_shorter_among_anything() {
     for seed in 0..count as u64 {
         let mut random = Random::new(seed, Stream::Samples);
         let obstacles = jumble(&mut random, seed);
-        let world = room(ROOM, &obstacles, 0.05 + 0.4 * random.uniform(), [[0.6; 2], [9.4; 2]]);
+        let world = disc_among(ROOM, &obstacles, 0.05 + 0.4 * random.uniform(), [[0.6; 2], [9.4; 2]]);
         let (planner, settings) = planners[seed as usize % planners.len()];
         let run = finish(begin_with(&world, planner, seed, &format!("max_iterations=3000 {settings}")));
         match of(&world).length {
@@ -386,7 +381,7 @@ fn cells_of_a_map_are_one_obstacle() {
                 let cell = free[random.below(free.len() as u64) as usize];
                 [cell % SIDE, cell / SIDE].map(|x| x as f64 + 0.5)
             });
-            let world = room("[0, 0], [14, 14]", &obstacles, radius, ends);
+            let world = disc_among("[0, 0], [14, 14]", &obstacles, radius, ends);
             let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
             let length = of(&world).length;
             assert_eq!(length.is_some(), expected.is_some(), "seed {seed}, {ends:?}");
@@ -413,7 +408,7 @@ fn ten_thousand_corners_are_prepared_once() {
         polygon(&[0, 1, 2, 3].map(corner))
     };
     let squares: Vec<_> = (0..2500).map(&mut square).collect();
-    let world = room("[0, 0], [101, 101]", &squares, 0.1, [[0.11; 2], [100.8; 2]]);
+    let world = disc_among("[0, 0], [101, 101]", &squares, 0.1, [[0.11; 2], [100.8; 2]]);
     let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
     let length =
         |a: [f64; 2], b: [f64; 2]| paths.query(a, b).unwrap_or_else(|error| panic!("{error}")).expect("a path").length;
@@ -436,7 +431,7 @@ fn a_thousand_corners_are_compared() {
     squares.extend((0..250).map(|i| square(2.0 * f64::from(i % 16) + f64::from(i % 2), 3.0 + 1.5 * f64::from(i / 16))));
     let bounds = "[0, 0], [34, 34]";
     let [alone, all] =
-        [&squares[..1], &squares].map(|squares| of(&room(bounds, squares, 0.0, [[0.5, 1.0], [33.5, 1.0]])));
+        [&squares[..1], &squares].map(|squares| of(&disc_among(bounds, squares, 0.0, [[0.5, 1.0], [33.5, 1.0]])));
     assert!(all.exact && all.length.is_some());
     assert_eq!(all.length, alone.length);
 }
@@ -444,9 +439,9 @@ fn a_thousand_corners_are_compared() {
 #[wasm_bindgen_test(unsupported = test)]
 fn what_has_no_optimum_is_refused() {
     // A point that is free by an exact test, but nearer than rounding.
-    let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
+    let beside = disc_among(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");
-    let paths = ShortestPaths::new(room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.5, [[1.0; 2], [9.0; 2]]))
+    let paths = ShortestPaths::new(disc_among(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.5, [[1.0; 2], [9.0; 2]]))
         .unwrap_or_else(|error| panic!("{error}"));
     refuses(paths.query([5.0; 2], [9.0; 2]), "start-in-collision", "/start");
     refuses(paths.query([1.0; 2], [9.6, 9.0]), "goal-in-collision", "/goal");

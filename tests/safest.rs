@@ -1,8 +1,8 @@
 //! The safest path: closed forms; the widest disc, the exact shortest path of narrower ones, and distances by other code.
 
 use crate::common::cases;
-use crate::common::documents::{BODY, disc, parse, rectangle, refuses};
-use crate::widest::{ROOM, free_ends, random_world, wall, world};
+use crate::common::documents::{BODY, disc, disc_among, parse, rectangle, refuses};
+use crate::widest::{ROOM, free_ends, random_world, wall};
 use planarium::geometry::{Point, Segment};
 use planarium::optimum::{Limit, MetricOptions, Safest, optimum, safest, widest};
 use planarium::random::{Random, Stream};
@@ -10,7 +10,7 @@ use planarium::scenario::{Obstacle, Scenario};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn of(obstacles: &[String], ends: [[f64; 2]; 2]) -> Safest {
-    safest(world(ROOM, obstacles, 0.0, ends), None).unwrap_or_else(|error| panic!("{error}"))
+    safest(disc_among(ROOM, obstacles, 0.0, ends), None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// How far a point is from a segment.
@@ -91,14 +91,14 @@ fn ends_contacts_and_slits_limit() {
         let obstacles = slit(gap);
         let ends = [[1.0, 2.0], [9.0, 3.0]];
         let found = of(&obstacles, ends);
-        let kept = least(&world(ROOM, &obstacles, 0.0, ends), &found.path);
+        let kept = least(&disc_among(ROOM, &obstacles, 0.0, ends), &found.path);
         assert!((kept - 0.5 * gap).abs() < 1e-11, "{gap}: {kept}");
     }
     let closed = of(&slit(0.0), [[1.0, 2.0], [9.0, 3.0]]);
     assert_eq!((closed.length, closed.clearance, closed.path.len()), (None, None, 0));
     assert_eq!(closed.widest.limit, Limit::Closed);
     refuses(safest(parse(BODY), None), "unsupported", "");
-    let inside = world(ROOM, &post, 0.0, [[1.0, 1.0], [5.0, 5.0]]);
+    let inside = disc_among(ROOM, &post, 0.0, [[1.0, 1.0], [5.0, 5.0]]);
     refuses(safest(&inside, None), "goal-in-collision", "/queries/0/goal");
 }
 
@@ -109,7 +109,7 @@ fn it_keeps_the_widest_radius_and_is_as_short_as_that_allows() {
         let mut random = Random::new(seed, Stream::Samples);
         let obstacles = random_world(&mut random, 3 + seed % 24);
         let Some(ends) = free_ends(&mut random, &obstacles) else { continue };
-        let point = world(ROOM, &obstacles, 0.0, ends);
+        let point = disc_among(ROOM, &obstacles, 0.0, ends);
         let found = safest(&point, None).unwrap_or_else(|error| panic!("{error}"));
         limits[found.widest.limit as usize] += 1;
         assert_eq!(Ok(&found.widest), widest(&point, None).as_ref(), "seed {seed}");
@@ -129,7 +129,7 @@ fn it_keeps_the_widest_radius_and_is_as_short_as_that_allows() {
         assert!(length - 1e-9 <= measured && measured <= 1.0003 * length + 1e-9, "seed {seed}: {length} {measured}");
         // A point has shorter paths, and so has a disc that is a little narrower, but hardly.
         let shortest = |radius: f64| {
-            let found = optimum(world(ROOM, &obstacles, radius, ends), None, MetricOptions::default());
+            let found = optimum(disc_among(ROOM, &obstacles, radius, ends), None, MetricOptions::default());
             found.ok().and_then(|found| found.length)
         };
         let free = shortest(0.0).unwrap_or_else(|| panic!("seed {seed}: a point has no path"));

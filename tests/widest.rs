@@ -1,27 +1,20 @@
 //! The widest disc that passes: closed forms, the exact shortest path of narrower and wider discs, and certificates.
 
-use crate::common::documents::{BODY, CAR, disc, parse, polygon, reaching, rectangle, refuses, scenario};
+use crate::common::documents::{BODY, CAR, disc, disc_among, parse, polygon, reaching, rectangle, refuses, scenario};
 use crate::common::{cases, seeds};
 use planarium::certificate::{Options, Subdivision, Verdict};
 use planarium::geometry::{Point, Vector};
 use planarium::optimum::{Limit, MetricOptions, Widest, optimum, widest};
 use planarium::problem::{Stepped, Touched};
 use planarium::random::{Random, Stream};
-use planarium::scenario::Scenario;
 use std::f64::consts::TAU;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 pub const ROOM: &str = "[0, 0], [10, 10]";
 const ACROSS: [[f64; 2]; 2] = [[1.0, 5.0], [9.0, 5.0]];
 
-/// A disc of the given radius among obstacles.
-pub fn world(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
-    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
-    scenario(bounds, &obstacles.join(","), &robot, &format!(r#""start": {start:?}, "goal": {goal:?}"#))
-}
-
 fn of(obstacles: &[String], ends: [[f64; 2]; 2]) -> Widest {
-    widest(world(ROOM, obstacles, 0.0, ends), None).unwrap_or_else(|error| panic!("{error}"))
+    widest(disc_among(ROOM, obstacles, 0.0, ends), None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 pub fn wall(points: &[[f64; 2]], width: f64, closed: bool) -> String {
@@ -221,7 +214,7 @@ fn what_is_not_served_is_refused() {
         ([[1.0, 1.0], [8.0, 8.1]], "goal-in-collision", "/queries/0/goal"),
         ([[1.0, 1.0], [8.0, 10.1]], "goal-in-collision", "/queries/0/goal"),
     ] {
-        refuses(widest(world(ROOM, &block, 0.0, ends), None), code, pointer);
+        refuses(widest(disc_among(ROOM, &block, 0.0, ends), None), code, pointer);
     }
     // The robot of the scenario does not matter, nor does its margin.
     let robot = r#"{"type": "disc", "radius": 3, "margin": 0.5}"#;
@@ -230,7 +223,7 @@ fn what_is_not_served_is_refused() {
     assert_eq!(found.radius, of(&block, [[1.0, 1.0], [9.0, 9.0]]).radius);
     // A pile of discs has too many contacts.
     let pile: Vec<_> = (0..2100).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 0.5)).collect();
-    refuses(widest(world(ROOM, &pile, 0.0, [[1.0; 2], [9.0; 2]]), None), "too-large", "");
+    refuses(widest(disc_among(ROOM, &pile, 0.0, [[1.0; 2], [9.0; 2]]), None), "too-large", "");
 }
 
 /// A random world: polygons, discs and walls, some of which overlap, and corridors of them.
@@ -272,7 +265,7 @@ pub fn random_world(random: &mut Random, count: u64) -> Vec<String> {
 /// Two points that are free, if there are any among some.
 pub fn free_ends(random: &mut Random, obstacles: &[String]) -> Option<[[f64; 2]; 2]> {
     let mut point = || [0, 1].map(|_| 0.2 + 9.6 * random.uniform());
-    (0..20).map(|_| [point(), point()]).find(|&ends| widest(world(ROOM, obstacles, 0.0, ends), None).is_ok())
+    (0..20).map(|_| [point(), point()]).find(|&ends| widest(disc_among(ROOM, obstacles, 0.0, ends), None).is_ok())
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -283,12 +276,12 @@ fn shortest_paths_exist_just_below_and_not_above() {
         let obstacles = random_world(&mut random, 3 + seed % 24);
         let Some(ends) = free_ends(&mut random, &obstacles) else { continue };
         let found = of(&obstacles, ends);
-        let passes = |radius: f64| match optimum(world(ROOM, &obstacles, radius, ends), None, MetricOptions::default())
-        {
-            Ok(optimum) => optimum.length.is_some(),
-            Err(error) if error.code().as_str().ends_with("in-collision") => false,
-            Err(error) => panic!("{error}"),
-        };
+        let passes =
+            |radius: f64| match optimum(disc_among(ROOM, &obstacles, radius, ends), None, MetricOptions::default()) {
+                Ok(optimum) => optimum.length.is_some(),
+                Err(error) if error.code().as_str().ends_with("in-collision") => false,
+                Err(error) => panic!("{error}"),
+            };
         limits[found.limit as usize] += 1;
         match found.radius {
             None => assert!(!passes(0.0), "seed {seed}: {found:?}"),
@@ -316,7 +309,7 @@ fn certificates_agree_within_a_millimetre() {
         let Some(radius) = of(&obstacles, ends).radius.filter(|&radius| radius > 0.01) else { continue };
         for (wider, expected) in [(-1e-3, Verdict::Connected), (1e-3, Verdict::Infeasible)] {
             // A larger disc, not a point with a clearance, which would be that from obstacles alone.
-            match Subdivision::new(world(ROOM, &obstacles, radius + wider, ends), &Options::default()) {
+            match Subdivision::new(disc_among(ROOM, &obstacles, radius + wider, ends), &Options::default()) {
                 Ok(mut subdivision) => {
                     subdivision.step(u64::MAX);
                     assert_eq!(subdivision.verdict(), Some(expected), "seed {seed}: {radius} {wider}");

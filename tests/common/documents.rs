@@ -124,6 +124,12 @@ pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scen
     named("s", bounds, obstacles, robot, query)
 }
 
+/// A disc of the given radius among obstacles.
+pub fn disc_among(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
+    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
+    scenario(bounds, &obstacles.join(","), &robot, &format!(r#""start": {start:?}, "goal": {goal:?}"#))
+}
+
 /// The same with another name.
 pub fn named(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
     parse(&text(name, bounds, obstacles, robot, query))

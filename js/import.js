@@ -4,8 +4,8 @@
  * `readWorld`, `readPath` or `writePath` fetches from beside this file.
  */
 import { readFiles, readPathFile, writePathFile, __wbg_reset_state as renew } from "./import_glue.js";
-import { PlanariumError, isOwn, reasonOf } from "./error.js";
-import { copyOf, kindOf, token } from "./plain.js";
+import { PlanariumError } from "./error.js";
+import { copyOf, kindOf, readable, token } from "./plain.js";
 import { asOwn, isSound, load, loadSync } from "./runtime.js";
 
 export { PlanariumError } from "./error.js";
@@ -110,7 +110,7 @@ export async function readPath(file, options) {
  * @returns {Promise<PathRead>} @internal
  */
 export async function readPathWith(ready, file, options) {
-  const { name, bytes } = readable(() => fileOf(file, "/file"), "/file");
+  const { name, bytes } = readable("the file", "/file", () => fileOf(file, "/file"));
   const settings = optionsOf(options);
   if (!isSound()) await ready();
   const [text, waypoints] = called(() => readPathFile(name, bytes, settings));
@@ -142,7 +142,7 @@ export async function writePath(path, options) {
  * @returns {Promise<Uint8Array>} @internal
  */
 export async function writePathWith(ready, path, options) {
-  const { numbers, isTimed, dimension } = readable(() => rowsOf(path), "/path");
+  const { numbers, isTimed, dimension } = readable("the path", "/path", () => rowsOf(path));
   const settings = optionsOf(options);
   if (!isSound()) await ready();
   return called(() => writePathFile(numbers, isTimed, dimension, settings));
@@ -207,13 +207,10 @@ function optionsOf(options) {
   const copy = copyOf(options ?? {}, "options");
   if (typeof copy !== "object" || Array.isArray(copy) || ArrayBuffer.isView(copy))
     throw new PlanariumError("wrong-type", `options must be an object, not ${kindOf(options)}`);
-  try {
+  return readable("the options", "", () => {
     requireFinite(copy, "");
     return JSON.stringify(copy);
-  } catch (error) {
-    if (isOwn(error)) throw error;
-    throw new PlanariumError("wrong-type", `the options cannot be read: ${reasonOf(error)}`, "", { cause: error });
-  }
+  });
 }
 
 /** Refuses numbers that JSON does not have. @param {unknown} value @param {string} pointer */
@@ -234,25 +231,7 @@ function filesOf(files) {
     throw new PlanariumError("wrong-type", `${wanted}, not ${kindOf(files)}`, "/files");
   }
   if (files.length === 0) throw new PlanariumError("out-of-range", "files is empty: there is no world", "/files");
-  return readable(() => Array.from(files, (file, i) => fileOf(file, `/files/${i}`)), "/files");
-}
-
-/**
- * What is read of an argument, of which the caller's own code may throw.
- * @template T
- * @param {() => T} read
- * @param {string} place  of the argument
- * @returns {T}
- */
-function readable(read, place) {
-  try {
-    return read();
-  } catch (error) {
-    if (isOwn(error)) throw error;
-    throw new PlanariumError("wrong-type", `the ${place.slice(1)} cannot be read: ${reasonOf(error)}`, place, {
-      cause: error,
-    });
-  }
+  return readable("the files", "/files", () => Array.from(files, (file, i) => fileOf(file, `/files/${i}`)));
 }
 
 /** @param {unknown} file @param {string} place */

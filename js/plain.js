@@ -2,7 +2,7 @@
  * Copies of what callers hand over. Reading an argument may run the caller's own code (getters, proxies, `toJSON`), so
  * it is read once, before the core is entered. The core checks the copies.
  */
-import { PlanariumError, reasonOf } from "./error.js";
+import { PlanariumError, isOwn, reasonOf } from "./error.js";
 import { classOf } from "./handle.js";
 
 /** The most items that are read from an array. */
@@ -55,6 +55,24 @@ export function fieldsOf(options, name, known) {
       `/${unknown}`,
     );
   return /** @type {Record<string, unknown>} */ (given);
+}
+
+/**
+ * What is read of an argument, of which the caller's own code may throw.
+ * @template T
+ * @param {string} what  the argument in words
+ * @param {string} pointer  of the argument
+ * @param {() => T} read
+ * @returns {T}
+ * @throws {PlanariumError} `wrong-type`, and what `read` throws
+ */
+export function readable(what, pointer, read) {
+  try {
+    return read();
+  } catch (error) {
+    if (isOwn(error)) throw error;
+    throw new PlanariumError("wrong-type", `${what} cannot be read: ${reasonOf(error)}`, pointer, { cause: error });
+  }
 }
 
 /** A time of slices in milliseconds. @param {unknown} budget @returns {number} @throws {PlanariumError} */

@@ -3,8 +3,8 @@
  * out. It has a WebAssembly module of its own, `shortest_bg.wasm`, which `await init()` fetches from beside this file.
  */
 import { ShortestMap } from "./shortest_glue.js";
-import { PlanariumError, isOwn, reasonOf } from "./error.js";
-import { fieldsOf, kindOf } from "./plain.js";
+import { PlanariumError } from "./error.js";
+import { fieldsOf, kindOf, readable } from "./plain.js";
 import { asOwn, currentInstance, isSound, load, loadSync, requireCore } from "./runtime.js";
 
 export { PlanariumError } from "./error.js";
@@ -250,7 +250,7 @@ function prepared(obstacles, options) {
   requireNumber(minDistance, "minDistance", "/minDistance");
   const limits = bounds === undefined ? [] : boundsOf(bounds, planar);
   const parts = new Parts(planar);
-  readable(() => parts.add(obstacles, "/obstacles", 0), "/obstacles");
+  readable("obstacles", "/obstacles", () => parts.add(obstacles, "/obstacles", 0));
   const { coordinates, kinds, counts } = parts;
   const made = called(
     () =>
@@ -485,7 +485,7 @@ function endsOf(start, goal, planar) {
  * @param {boolean} planar
  */
 function placeOf(place, pointer, planar) {
-  return readable(() => {
+  return readable(pointer.slice(1), pointer, () => {
     if (typeof place !== "object" || place === null || Array.isArray(place) || ArrayBuffer.isView(place))
       return positionOf(place, planar, () => pointer);
     let [object, at] = [objectOf(place, "a place", pointer), pointer];
@@ -495,12 +495,12 @@ function placeOf(place, pointer, planar) {
     }
     if (object.type !== "Point") throw unknownType(object.type, "Point", at);
     return positionOf(object.coordinates, planar, () => `${at}/coordinates`);
-  }, pointer);
+  });
 }
 
 /** @param {unknown} bounds @param {boolean} planar @returns {number[]} */
 function boundsOf(bounds, planar) {
-  return readable(() => {
+  return readable("bounds", "/bounds", () => {
     const list = listOf(bounds, "/bounds");
     if (list.length !== 4)
       throw new PlanariumError(
@@ -509,12 +509,12 @@ function boundsOf(bounds, planar) {
         "/bounds",
       );
     return [0, 2].flatMap((i) => positionOf([list[i], list[i + 1]], planar, () => "/bounds", i));
-  }, "/bounds");
+  });
 }
 
 /** The options of a call. @param {unknown} options @param {string} known */
 function optionsOf(options, known) {
-  return readable(() => ({ ...fieldsOf(options, "options", known) }), "");
+  return readable("options", "", () => ({ ...fieldsOf(options, "options", known) }));
 }
 
 /** Whether positions are x and y. @param {Record<string, unknown>} options */
@@ -525,21 +525,4 @@ function isPlanar({ coordinates = "degrees" }) {
     `coordinates must be "degrees" or "metres", not ${kindOf(coordinates)}`,
     "/coordinates",
   );
-}
-
-/**
- * What is read of an argument, of which the caller's own code may throw.
- * @template T
- * @param {() => T} read
- * @param {string} pointer
- * @returns {T}
- */
-function readable(read, pointer) {
-  try {
-    return read();
-  } catch (error) {
-    if (isOwn(error)) throw error;
-    const what = pointer === "" ? "options" : pointer.slice(1);
-    throw new PlanariumError("wrong-type", `${what} cannot be read: ${reasonOf(error)}`, pointer, { cause: error });
-  }
 }

@@ -5,6 +5,21 @@
 
 /** @import { PlannerInfo, Settings } from "./types.js" */
 
+/** What the planner's page shows besides the run where nothing is set, but for its axes. */
+export const VIEW = {
+  refused: false,
+  strobe: false,
+  poses: 8,
+  raw: false,
+  slice: false,
+  optimum: false,
+  regions: false,
+  widest: false,
+  safest: false,
+  routes: false,
+  detour: 1.5,
+};
+
 /** @type {Record<string, Record<string, number>>} */
 const OWN = {
   prm: { samples: 2000 },

@@ -1,6 +1,6 @@
-/** How much room a scene has, in the worker: its widest disc, safest path and route graph, and the clearance along a path. */
+/** The clearance along a path, in the worker. */
 
-/** @import { RouteGraph, Safest, Scenario, Widest } from "planarium/full" */
+/** @import { Scenario } from "planarium/full" */
 /** @import { Box, Part } from "../domain/types.js" */
 
 /**
@@ -15,15 +15,6 @@
 const SECTION = (Math.sqrt(5) - 1) / 2;
 /** How often the interval around the least clearance is cut. */
 const CUTS = 40;
-
-/** @param {Scenario} scenario @param {string | undefined} query @returns {Widest} */
-export const widest = (scenario, query) => scenario.widest(query);
-
-/** @param {Scenario} scenario @param {string | undefined} query @returns {Safest} */
-export const safest = (scenario, query) => scenario.safest(query);
-
-/** @param {Scenario} scenario @param {number} detour @returns {RouteGraph} */
-export const routes = (scenario, detour) => scenario.routeGraph({ detour });
 
 /**
  * The distance of the robot, its margin included, from obstacles and bounds.

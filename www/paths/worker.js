@@ -5,7 +5,7 @@
 import { Scenario } from "planarium/full";
 import { serve } from "../app/worker-server.js";
 import { judge, keep, read } from "./judging.js";
-import { clearances, routes, safest, widest } from "./room.js";
+import { clearances } from "./clearance.js";
 import { documentOf, dropTrajectories, forgetTrajectories, timed, written } from "./timing.js";
 
 /** @import { TimingLimits } from "planarium/full" */
@@ -42,11 +42,11 @@ const commands = {
   /** Judges a path that was read. @param {number} id @param {boolean} arcs   are motions along arcs? */
   judge: (id, arcs) => judge(scene().scenario, id, arcs),
   /** @param {string | undefined} query */
-  widest: (query) => widest(scene().scenario, query),
+  widest: (query) => scene().scenario.widest(query),
   /** @param {string | undefined} query */
-  safest: (query) => safest(scene().scenario, query),
+  safest: (query) => scene().scenario.safest(query),
   /** @param {number} detour */
-  routes: (detour) => routes(scene().scenario, detour),
+  routes: (detour) => scene().scenario.routeGraph({ detour }),
   /** The clearance along a path. @param {Float64Array} rows   of configurations */
   clearances: (rows) => clearances(scene().scenario, rows),
   /** Frees the trajectories. */

@@ -6,7 +6,7 @@
  */
 import { loadScene } from "../app/resources.js";
 import { MADE, axesOf } from "../domain/names.js";
-import { DETOUR, POSES } from "./link/experiment.js";
+import { VIEW } from "../domain/page-defaults.js";
 import { fits, withArticle } from "./settings/planners.js";
 import { letter } from "./race/standings.js";
 import { SCENES } from "./scenes/scenes.js";
@@ -92,10 +92,8 @@ export const laneOf = ({ algorithm, settings }) => ({ algorithm, settings });
 
 /** The view with all its options. @param {Experiment["view"]} view @param {Facts["robot"]} robot @returns {ViewOptions} */
 export function viewOf({ projector: _, lens: __, ...view }, robot) {
-  const off = { refused: false, strobe: false, raw: false, slice: false, optimum: false, regions: false };
-  const room = { widest: false, safest: false, routes: false, detour: DETOUR };
   const [across, up] = view.axes ?? axesOf(robot);
-  return { ...off, ...room, poses: POSES, ...view, axes: [across, up] };
+  return { ...VIEW, ...view, axes: [across, up] };
 }
 
 /**

@@ -11,8 +11,8 @@ import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
+import { VIEW } from "../domain/page-defaults.js";
 import { Lane } from "./stage/lane.js";
-import { DETOUR } from "./link/experiment.js";
 import { Optima } from "./optimum.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
@@ -66,20 +66,7 @@ export class Session {
     /** @type {Lane[]} */
     this.lanes = [];
     /** @type {ViewOptions} */
-    this.view = {
-      axes: [0, 1],
-      refused: false,
-      strobe: true,
-      poses: 8,
-      raw: false,
-      slice: false,
-      optimum: false,
-      regions: false,
-      widest: false,
-      safest: false,
-      routes: false,
-      detour: DETOUR,
-    };
+    this.view = { ...VIEW, axes: [0, 1], strobe: true };
     this.optima = new Optima(app, () => this.markDirty());
     this.optima.viewers.push(() => this.view.optimum);
     /** The scene's sentence about its own planner. @type {Story} */

@@ -92,6 +92,16 @@ export class Chart {
     this.show(this.now);
   }
 
+  /**
+   * The value of a timeline at a pointer: from 0 to the end; null before the chart is drawn.
+   * @param {PointerEvent} event @param {number} end
+   */
+  pointed({ clientX }, end) {
+    const [left, right] = [this.scale(0), this.scale(end)];
+    const x = clientX - this.picture.getBoundingClientRect().left;
+    return right > left ? end * Math.min(1, Math.max(0, (x - left) / (right - left))) : null;
+  }
+
   /** Shows a time of a timeline. @param {number} now */
   show(now) {
     this.now = now;

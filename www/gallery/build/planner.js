@@ -1,5 +1,5 @@
 /** Entries of the planner's page: each planner is run to the iteration of the entry, or to its end. */
-import { planned } from "../../domain/page-defaults.js";
+import { VIEW, planned } from "../../domain/page-defaults.js";
 import { Scenario } from "planarium";
 import { rowsOf } from "../../domain/coordinates.js";
 import { keysOf } from "../../domain/key-text.js";
@@ -33,8 +33,6 @@ import { CELLS, drawDots, thinned } from "./sheet.js";
  * configuration space.
  */
 const MOST = { curves: 320, lines: 900, edges: 320, vertices: 500 };
-/** Configurations along the path, by default. */
-const POSES = 8;
 
 /**
  * A run up to an iteration; `planner` is null where the start or the goal is in collision.
@@ -129,11 +127,7 @@ function shownOf({ scenario, document, query, placed, planner }, { view, drive, 
     driven: driven && { ...driven, drawUnder: drawTrace, drawOver: drawDrive },
     hand: hit ?? driven?.trace.subarray(-3) ?? null,
     check: hit ? scenario.check(hit) : { free: true, touching: [] },
-    view: {
-      ...{ axes: [0, 1], strobe: true, poses: POSES, refused: false, raw: false, slice: false, optimum: false },
-      ...{ regions: false, widest: false, safest: false, routes: false, detour: 1.5 },
-      ...(view?.poses ? { poses: view.poses } : {}),
-    },
+    view: { ...VIEW, axes: [0, 1], strobe: true, ...(view?.poses ? { poses: view.poses } : {}) },
   });
 }
 

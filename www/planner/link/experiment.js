@@ -5,6 +5,7 @@
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
 import { keyText } from "../../domain/key-text.js";
 import { MADE } from "../../domain/names.js";
+import { VIEW } from "../../domain/page-defaults.js";
 import { changed } from "../../domain/option-names.js";
 import { isProjected } from "../../app/projector.js";
 
@@ -41,11 +42,6 @@ import { isProjected } from "../../app/projector.js";
  * @property {Generation | null} generation
  */
 
-/** Configurations drawn along a path, by default. */
-export const POSES = 8;
-/** How much longer ways over a route graph may be, by default: that of the core. */
-export const DETOUR = 1.5;
-
 /**
  * The state with the moment that is shown. Settings equal to the planner's defaults are left out, and options equal to
  * the scene's.
@@ -62,7 +58,7 @@ export function experimentOf({ record, state, plans, planners, race, session, en
     iteration: state.clock.now,
     view: {
       ...view,
-      poses: view.poses === POSES ? undefined : view.poses,
+      poses: view.poses === VIEW.poses ? undefined : view.poses,
       projector: isProjected(),
       lens: plans.length > 1 ? race?.picture : undefined,
     },

@@ -14,7 +14,7 @@ import { clearanceText } from "./words.js";
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { ScenarioDocument } from "../../domain/types.js" */
 /** @import { Label } from "../../draw/labels.js" */
-/** @import { Clearances } from "../../paths/room.js" */
+/** @import { Clearances } from "../../paths/clearance.js" */
 /** @import { Lane } from "../stage/lane.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /**

@@ -6,6 +6,7 @@
  * `data-nodes` and `data-clearance`.
  */
 import { byId, make, write } from "../../app/dom.js";
+import { VIEW } from "../../domain/page-defaults.js";
 import { Chart } from "../../widgets/chart.js";
 import { row, toggle } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
@@ -13,7 +14,7 @@ import { Slider } from "../../widgets/slider.js";
 import { hasOptimum } from "../stage/lane.js";
 import { ClearanceAxis } from "./axis.js";
 import { Room } from "./room.js";
-import { OTHERS, alongText, faultText, routesText, safestText, widestText } from "./words.js";
+import { MEANINGS, OTHERS, alongText, faultText, optimumText, routesText, safestText, widestText } from "./words.js";
 
 /** @import { App } from "../../app/app.js" */
 /** @import { ViewOptions } from "../../domain/types.js" */
@@ -52,8 +53,10 @@ export class RoomPanel {
       widest: this.option("widest", "Widest disc"),
       routes: this.option("routes", "Route graph"),
     };
-    this.detour = new Slider({ name: "room-detour", title: "Detour", unit: "times", ...DETOUR }, 1.5, (detour) =>
-      page.setView({ detour }),
+    this.detour = new Slider(
+      { name: "room-detour", title: "Detour", unit: "times", ...DETOUR },
+      VIEW.detour,
+      (detour) => page.setView({ detour }),
     );
     this.rows.routes.element.append(this.detour.element);
     this.chart = new Chart("room-clearance", "", {
@@ -104,54 +107,12 @@ export class RoomPanel {
     rows.routes.input.disabled = !routes;
     detour.element.hidden = !routes || !view.routes;
     detour.show(view.detour);
-    const served = (/** @type {boolean} */ is, /** @type {string} */ other, /** @type {string} */ text) =>
-      is ? text : other;
-    write(
-      rows.optimum.text,
-      served(
-        hasOptimum(scenario),
-        "This is known of discs and of arms with two joints.",
-        shortest
-          ? `${num(shortest.length)} ${scenario.robot === "arm" ? "rad" : "m"} long${shortest.isExact ? "; no free path is shorter." : ", on a fine grid: a run may find a shorter one."}`
-          : "Dashed: as short as a free path can be; it touches obstacles.",
-      ),
-    );
-    write(
-      rows.widest.text,
-      served(
-        discs,
-        OTHERS.discs,
-        textOf(
-          room.widest,
-          (widest) => widestText(widest, document.robot),
-          "How wide a disc may be to pass, and the tightest gap on its way.",
-        ),
-      ),
-    );
-    write(
-      rows.safest.text,
-      served(
-        discs,
-        OTHERS.discs,
-        textOf(
-          room.safest,
-          (safest) => safestText(safest, shortest?.length ?? null),
-          "The path that keeps as far from everything as any can, and the shortest of these.",
-        ),
-      ),
-    );
-    write(
-      rows.routes.text,
-      served(
-        routes,
-        OTHERS.routes,
-        textOf(
-          room.routes,
-          routesText,
-          "A few nodes and proven edges over which the robot gets everywhere, for a route server.",
-        ),
-      ),
-    );
+    write(rows.optimum.text, hasOptimum(scenario) ? optimumText(shortest, scenario.robot) : OTHERS.optimum);
+    const widest = textOf(room.widest, (found) => widestText(found, document.robot), MEANINGS.widest);
+    const safest = textOf(room.safest, (found) => safestText(found, shortest?.length ?? null), MEANINGS.safest);
+    write(rows.widest.text, discs ? widest : OTHERS.discs);
+    write(rows.safest.text, discs ? safest : OTHERS.discs);
+    write(rows.routes.text, routes ? textOf(room.routes, routesText, MEANINGS.routes) : OTHERS.routes);
     this.showAlong();
     const questions = [room.widest, room.safest, room.routes, room.along, room.alongSafest];
     const found = {
@@ -237,11 +198,8 @@ export class RoomPanel {
     const move = (/** @type {PointerEvent} */ event) => {
       const { axis, chart, page } = this;
       if (!axis || (event.type === "pointermove" && event.buttons === 0)) return;
-      const x = event.clientX - picture.getBoundingClientRect().left;
-      const [left, right] = [chart.scale(0), chart.scale(axis.length)];
-      if (right <= left) return;
-      const metres = axis.length * Math.min(1, Math.max(0, (x - left) / (right - left)));
-      page.act(({ timeline }) => timeline.along(axis.part(metres)));
+      const metres = chart.pointed(event, axis.length);
+      if (metres !== null) page.act(({ timeline }) => timeline.along(axis.part(metres)));
     };
     picture.addEventListener("pointerdown", move);
     picture.addEventListener("pointermove", move);

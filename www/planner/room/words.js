@@ -5,13 +5,22 @@ import { num, percent } from "../../widgets/format.js";
 
 /** @import { RouteGraph, Safest, Widest } from "planarium/full" */
 /** @import { ScenarioDocument } from "../../domain/types.js" */
-/** @import { Clearances } from "../../paths/room.js" */
+/** @import { Clearances } from "../../paths/clearance.js" */
+/** @import { Optimum } from "../stage/lane.js" */
 /** @import { Fault } from "./question.js" */
 
 /** Why the scene has none of something. */
 export const OTHERS = {
   discs: "This is known of discs, from a start to a goal.",
   routes: "Route graphs are for discs and rigid bodies.",
+  optimum: "This is known of discs and of arms with two joints.",
+};
+
+/** What is asked. */
+export const MEANINGS = {
+  widest: "How wide a disc may be to pass, and the tightest gap on its way.",
+  safest: "The path that keeps as far from everything as any can, and the shortest of these.",
+  routes: "A few nodes and proven edges over which the robot gets everywhere, for a route server.",
 };
 
 /** @param {string} text */
@@ -32,6 +41,13 @@ function sides(between) {
   const names = between.map((one) => (one === "bounds" ? "the bounds" : obstacleName(one)));
   const [a, b] = names;
   return a === b ? `two parts of ${a}` : names.join(" and ");
+}
+
+/** The shortest path, or what it is. @param {Optimum | null} optimum @param {string} robot */
+export function optimumText(optimum, robot) {
+  if (!optimum) return "Dashed: as short as a free path can be; it touches obstacles.";
+  const exact = optimum.isExact ? "; no free path is shorter." : ", on a fine grid: a run may find a shorter one.";
+  return `${num(optimum.length)} ${robot === "arm" ? "rad" : "m"} long${exact}`;
 }
 
 /**

@@ -340,10 +340,8 @@ export class TimingPanel {
       const picture = /** @type {Element} */ (event.target).closest("svg");
       const one = this.shown.find(({ chart }) => chart.picture === picture);
       if (!one || (event.type === "pointermove" && event.buttons === 0)) return;
-      const x = event.clientX - one.chart.picture.getBoundingClientRect().left;
-      const { period } = this.timing;
-      const [left, right] = [one.chart.scale(0), one.chart.scale(period)];
-      if (right > left) this.seek(period * Math.min(1, Math.max(0, (x - left) / (right - left))));
+      const time = one.chart.pointed(event, this.timing.period);
+      if (time !== null) this.seek(time);
     };
     this.charts.addEventListener("pointerdown", move);
     this.charts.addEventListener("pointermove", move);

@@ -50,6 +50,14 @@ export { PlanariumError } from "./error.js";
  */
 
 /**
+ * What `prepare` may know beforehand.
+ * @typedef {object} ForQueries
+ * @property {boolean} [manyQueries]  whether all tangents between obstacles are found beforehand: that takes up to ten
+ *   times as long, and makes the longest queries up to twenty times as fast. Large and open maps stay as they are;
+ *   `tangents` of what is prepared tells. Default: false
+ */
+
+/**
  * What a path goes around.
  * @typedef {object} WithObstacles
  * @property {Obstacles} [obstacles]  at most 1,000,000 positions. Default: none
@@ -88,7 +96,8 @@ const DEEPEST = 32;
 
 /** The options of `prepare`, and those of `shortestPath`. */
 const OPTIONS = "minDistance, bounds, coordinates";
-const ALL_OPTIONS = `obstacles, ${OPTIONS}`;
+const OF_PREPARE = `${OPTIONS}, manyQueries`;
+const OF_PATH = `obstacles, ${OPTIONS}`;
 
 /** What may make a `ShortestPaths`. */
 const KEY = Symbol("prepare");
@@ -123,7 +132,7 @@ export function initSync(module) {
  * @throws {PlanariumError} those of `prepare` and of `query`
  */
 export function shortestPath(start, goal, options) {
-  const { obstacles, ...others } = optionsOf(options, ALL_OPTIONS);
+  const { obstacles, ...others } = optionsOf(options, OF_PATH);
   const ends = endsOf(start, goal, isPlanar(others));
   const paths = prepared(obstacles ?? { type: "GeometryCollection", geometries: [] }, others);
   try {
@@ -138,7 +147,7 @@ export function shortestPath(start, goal, options) {
  * `minDistance`. The inside of a hole is free; areas may overlap. Features without a geometry and geometries without a
  * position are left out; rings that are not closed are closed.
  * @param {Obstacles} obstacles  at most 1,000,000 positions
- * @param {PrepareOptions | null} [options]
+ * @param {(PrepareOptions & ForQueries) | null} [options]
  * @returns {ShortestPaths}  to be freed by `free()` or `using`
  * @throws {PlanariumError} `wrong-type`, `missing-field`, `unknown-type`, `wrong-dimension` for a position of fewer than
  *   two numbers, `not-finite`, `out-of-range`, `too-large`; `degenerate-polygon` for a ring that crosses itself or has no
@@ -146,7 +155,7 @@ export function shortestPath(start, goal, options) {
  *   the pointer of the ring or the line; `unknown-field` for an option; `not-initialised`
  */
 export function prepare(obstacles, options) {
-  return prepared(obstacles, optionsOf(options, OPTIONS));
+  return prepared(obstacles, optionsOf(options, OF_PREPARE));
 }
 
 /** Obstacles that are prepared for shortest paths; `prepare` makes it. */
@@ -173,6 +182,16 @@ export class ShortestPaths {
   }
 
   /**
+   * The number of tangents that are known beforehand, each in both directions; null if each query looks for its own.
+   * @returns {number | null}
+   */
+  get tangents() {
+    requireOwn(this, "tangents");
+    const map = this.#usable();
+    return called(() => map.tangents) ?? null;
+  }
+
+  /**
    * The shortest path between two positions.
    * @param {Place} start
    * @param {Place} goal
@@ -187,13 +206,7 @@ export class ShortestPaths {
     requireCore();
     const planar = this.#planar;
     const [from, to] = endsOf(start, goal, planar);
-    const map = this.#map;
-    if (map === undefined) throw new PlanariumError("freed", "This ShortestPaths has been freed.");
-    if (this.#instance !== currentInstance())
-      throw new PlanariumError(
-        "freed",
-        "This ShortestPaths was lost when the core stopped; prepare the obstacles again.",
-      );
+    const map = this.#usable();
     const numbers = called(() => map.query(from[0], from[1], to[0], to[1]));
     if (numbers.length === 0) return null;
     /** @type {[number, number][]} */
@@ -201,6 +214,19 @@ export class ShortestPaths {
     for (let i = 2; i < numbers.length; i += 2) coordinates.push([numbers[i], numbers[i + 1]]);
     const properties = { length: numbers[0], distortion: numbers[1] };
     return { type: "Feature", properties, geometry: { type: "LineString", coordinates } };
+  }
+
+  /** The map, if it has not been freed. @returns {ShortestMap} */
+  #usable() {
+    requireCore();
+    const map = this.#map;
+    if (map === undefined) throw new PlanariumError("freed", "This ShortestPaths has been freed.");
+    if (this.#instance !== currentInstance())
+      throw new PlanariumError(
+        "freed",
+        "This ShortestPaths was lost when the core stopped; prepare the obstacles again.",
+      );
+    return map;
   }
 
   /** Gives the memory back; later queries throw `freed`. @returns {void} */
@@ -246,8 +272,14 @@ function requireOwn(self, method) {
 function prepared(obstacles, options) {
   requireCore();
   const planar = isPlanar(options);
-  const { minDistance = 0, bounds } = options;
+  const { minDistance = 0, bounds, manyQueries = false } = options;
   requireNumber(minDistance, "minDistance", "/minDistance");
+  if (typeof manyQueries !== "boolean")
+    throw new PlanariumError(
+      "wrong-type",
+      `manyQueries must be true or false, not ${kindOf(manyQueries)}`,
+      "/manyQueries",
+    );
   const limits = bounds === undefined ? [] : boundsOf(bounds, planar);
   const parts = new Parts(planar);
   readable("obstacles", "/obstacles", () => parts.add(obstacles, "/obstacles", 0));
@@ -261,6 +293,7 @@ function prepared(obstacles, options) {
         minDistance,
         Float64Array.from(limits),
         planar,
+        manyQueries,
       ),
     parts.pointers,
   );

@@ -127,7 +127,8 @@ export declare function writePathFile(numbers: Float64Array, isTimed: boolean, d
   [
     SHORTEST,
     `export declare class ShortestMap {
-  constructor(coordinates: Float64Array, kinds: Uint8Array, counts: Uint32Array, distance: number, bounds: Float64Array, planar: boolean);
+  constructor(coordinates: Float64Array, kinds: Uint8Array, counts: Uint32Array, distance: number, bounds: Float64Array, planar: boolean, manyQueries: boolean);
+  readonly tangents: number | undefined;
   query(x: number, y: number, toX: number, toY: number): Float64Array;
   free(): void;
 }`,

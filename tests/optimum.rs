@@ -307,6 +307,11 @@ fn jumble(random: &mut Random, seed: u64) -> Vec<String> {
     obstacles
 }
 
+/// The world prepared for a few queries.
+fn prepared(world: &Scenario) -> ShortestPaths {
+    ShortestPaths::new(world).unwrap_or_else(|error| panic!("{error}"))
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn a_search_finds_what_all_tangents_give() {
     for seed in 0..cases(1000) as u64 {
@@ -315,13 +320,16 @@ fn a_search_finds_what_all_tangents_give() {
         let radius = if seed % 2 == 0 { 0.0 } else { 0.05 + 0.4 * random.uniform() };
         let world = disc_among(ROOM, &obstacles, radius, [[0.6; 2], [9.4; 2]]);
         let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
-        let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
+        let [few, many] = [prepared(&world), prepared(&world).for_many_queries()];
+        assert_eq!((few.tangents(), many.tangents().is_some()), (None, true));
         for ends in [[[0.6; 2], [9.4; 2]], [[9.4; 2], [0.6; 2]]] {
-            let found = paths.query(ends[0], ends[1]).unwrap_or_else(|error| panic!("{error}"));
-            assert_eq!(found.is_some(), expected.is_some(), "seed {seed}");
-            if let Some((found, expected)) = found.zip(expected) {
-                assert_close(found.length, expected, 10.0);
-                assert_eq!([found.path[0], found.path[found.path.len() - 1]], ends);
+            for paths in [&few, &many] {
+                let found = paths.query(ends[0], ends[1]).unwrap_or_else(|error| panic!("{error}"));
+                assert_eq!(found.is_some(), expected.is_some(), "seed {seed}");
+                if let Some((found, expected)) = found.zip(expected) {
+                    assert_close(found.length, expected, 10.0);
+                    assert_eq!([found.path[0], found.path[found.path.len() - 1]], ends);
+                }
             }
         }
     }
@@ -383,33 +391,36 @@ fn cells_of_a_map_are_one_obstacle() {
             });
             let world = disc_among("[0, 0], [14, 14]", &obstacles, radius, ends);
             let expected = by_all_tangents(&world, None).unwrap_or_else(|error| panic!("{error}"));
-            let length = of(&world).length;
-            assert_eq!(length.is_some(), expected.is_some(), "seed {seed}, {ends:?}");
-            if let Some((length, expected)) = length.zip(expected) {
-                assert_close(length, expected, 14.0);
-                found += usize::from(length > 0.0);
+            let many = prepared(&world).for_many_queries().query(ends[0], ends[1]);
+            let many = many.unwrap_or_else(|error| panic!("{error}")).map(|shortest| shortest.length);
+            for length in [of(&world).length, many] {
+                assert_eq!(length.is_some(), expected.is_some(), "seed {seed}, {ends:?}");
+                if let Some((length, expected)) = length.zip(expected) {
+                    assert_close(length, expected, 14.0);
+                    found += usize::from(length > 0.0);
+                }
             }
         }
     }
-    assert!(found > cases(60), "{found} paths");
+    assert!(found > 2 * cases(60), "{found} paths");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn ten_thousand_corners_are_prepared_once() {
     // Squares in 50 rows of 50, each turned and moved a little.
     let mut random = Random::new(1, Stream::Samples);
-    let mut square = |i: u32| {
+    let mut square = |i: u32, half: f64| {
         let center = [i % 50, i / 50].map(|x| 2.0 * f64::from(x) + 1.0 + 0.3 * random.uniform());
         let turn = TAU * random.uniform();
         let corner = |k: i32| {
             let angle = turn + 0.5 * PI * f64::from(k);
-            [center[0] + 0.6 * libm::cos(angle), center[1] + 0.6 * libm::sin(angle)]
+            [center[0] + half * libm::cos(angle), center[1] + half * libm::sin(angle)]
         };
         polygon(&[0, 1, 2, 3].map(corner))
     };
-    let squares: Vec<_> = (0..2500).map(&mut square).collect();
+    let squares: Vec<_> = (0..2500).map(|i| square(i, 0.6)).collect();
     let world = disc_among("[0, 0], [101, 101]", &squares, 0.1, [[0.11; 2], [100.8; 2]]);
-    let paths = ShortestPaths::new(&world).unwrap_or_else(|error| panic!("{error}"));
+    let paths = prepared(&world);
     let length =
         |a: [f64; 2], b: [f64; 2]| paths.query(a, b).unwrap_or_else(|error| panic!("{error}")).expect("a path").length;
     let places = [[0.11, 0.11], [100.8, 100.8], [100.8, 0.11], [0.11, 100.8]];
@@ -421,6 +432,10 @@ fn ten_thousand_corners_are_prepared_once() {
         }
     }
     assert!(length(places[0], places[1]) <= length(places[0], places[2]) + length(places[2], places[1]) + 1e-9);
+    // Small ones see each other over long distances: too many tangents.
+    let squares: Vec<_> = (0..2500).map(|i| square(i, 0.05)).collect();
+    let open = disc_among("[0, 0], [101, 101]", &squares, 0.1, [[0.11; 2], [100.8; 2]]);
+    assert_eq!(prepared(&open).for_many_queries().tangents(), None);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

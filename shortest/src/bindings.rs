@@ -11,7 +11,7 @@ pub struct ShortestMap(Map);
 #[wasm_bindgen]
 impl ShortestMap {
     /// Prepares a map: the coordinates of all positions, of each part its kind (points, a line, an outline, a hole) and the number
-    /// of its positions, the distance that is kept, four numbers of bounds or none, and whether numbers are metres.
+    /// of its positions, the distance that is kept, four numbers of bounds or none, whether numbers are metres, and whether many queries follow.
     ///
     /// # Errors
     /// A text of four lines: the code, the subject, the number of the part, and a sentence.
@@ -23,6 +23,7 @@ impl ShortestMap {
         distance: f64,
         bounds: &[f64],
         planar: bool,
+        many_queries: bool,
     ) -> Result<Self, JsValue> {
         let (mut positions, _) = coordinates.as_chunks::<2>();
         let mut parts = Vec::with_capacity(kinds.len());
@@ -41,7 +42,13 @@ impl ShortestMap {
             &[a, b, c, d] => Some([[a, b], [c, d]]),
             _ => None,
         };
-        Map::new(&parts, &Settings { distance, bounds, planar }).map(Self).map_err(thrown)
+        Map::new(&parts, &Settings { distance, bounds, planar, many_queries }).map(Self).map_err(thrown)
+    }
+
+    /// The number of tangents that are known beforehand, if they are.
+    #[wasm_bindgen(getter)]
+    pub fn tangents(&self) -> Option<f64> {
+        self.0.tangents().map(|count| count as f64)
     }
 
     /// The shortest path between two positions: its length, the distortion, and the coordinates of its positions; nothing if there

@@ -26,6 +26,8 @@ pub struct Settings {
     pub bounds: Option<[[f64; 2]; 2]>,
     /// Whether numbers are x and y in metres, from -1e8 to 1e8, not longitude and latitude.
     pub planar: bool,
+    /// Whether it is prepared for many queries, as [`ShortestPaths::for_many_queries`] does it.
+    pub many_queries: bool,
 }
 
 /// A map that is prepared for shortest paths.
@@ -38,6 +40,7 @@ pub struct Map {
     /// The lowest and the highest latitude of the parts.
     latitudes: Option<[f64; 2]>,
     planar: bool,
+    many_queries: bool,
     /// The smallest area, and the last other one that a query needed.
     near: Option<Arc<ShortestPaths>>,
     wide: Mutex<Option<(i32, Arc<ShortestPaths>)>>,
@@ -65,7 +68,7 @@ impl Map {
     /// crosses itself or has no area, and for a hole that is not in its outline; `degenerate-wall` for a line without two
     /// different positions.
     pub fn new(parts: &[Part<'_>], settings: &Settings) -> Result<Self, Fault> {
-        let &Settings { distance, bounds, planar } = settings;
+        let &Settings { distance, bounds, planar, many_queries } = settings;
         let robot = DiscRobot::new(distance).map_err(|error| {
             let sentence = format!("the distance must be from 0 to 1e6 m, not {distance}");
             Fault::new(error.code(), Subject::Distance, sentence)
@@ -97,11 +100,17 @@ impl Map {
         };
         let bounds = plane.and_then(|plane| bounds.map(|[low, high]| Aabb::of(plane.point(low), plane.point(high))));
         let world = World::new(None, obstacles);
-        let mut map = Self { world, robot, bounds, plane, latitudes, planar, near: None, wide: Mutex::new(None) };
+        let (near, wide) = (None, Mutex::new(None));
+        let mut map = Self { world, robot, bounds, plane, latitudes, planar, many_queries, near, wide };
         if let Some(area) = bounds.or_else(|| map.area(0)) {
             map.near = map.prepared(area).map(Arc::new);
         }
         Ok(map)
+    }
+
+    /// The number of tangents that are known beforehand, as [`ShortestPaths::tangents`] has it.
+    pub fn tangents(&self) -> Option<usize> {
+        self.near.as_ref()?.tangents()
     }
 
     /// The shortest path between two positions; `None` if there is none.
@@ -187,7 +196,8 @@ impl Map {
     /// The world, prepared for paths in an area.
     fn prepared(&self, area: Aabb) -> Option<ShortestPaths> {
         let world = World { bounds: Some(area), ..self.world.clone() };
-        ShortestPaths::among(&world, &self.robot).ok()
+        let paths = ShortestPaths::among(&world, &self.robot).ok()?;
+        Some(if self.many_queries { paths.for_many_queries() } else { paths })
     }
 }
 

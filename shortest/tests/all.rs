@@ -8,7 +8,7 @@ use planarium::scenario::{Obstacle, Query, Scenario, World};
 use planarium_shortest::{Found, Kind, Map, Part, Settings, Subject};
 use std::f64::consts::PI;
 
-const PLANAR: Settings = Settings { distance: 0.0, bounds: None, planar: true };
+const PLANAR: Settings = Settings { distance: 0.0, bounds: None, planar: true, many_queries: false };
 
 fn part(kind: Kind, positions: &[[f64; 2]]) -> Part<'_> {
     Part { kind, positions }
@@ -111,8 +111,11 @@ fn lengths_are_those_of_scenarios() {
         let expected = optimum(&scenario, None, MetricOptions::default()).expect("an optimum").length;
         let parts: Vec<_> = rings.iter().map(|ring| part(Kind::Outline, ring)).collect();
         for bounds in [Some(bounds), None] {
-            let map = map(&parts, &Settings { distance, bounds, planar: true });
-            close(found(&map, ends[0], ends[1]).length, expected.expect("a path"), 1e-10);
+            for many_queries in [false, true] {
+                let map = map(&parts, &Settings { distance, bounds, many_queries, ..PLANAR });
+                assert_eq!(map.tangents().is_some(), many_queries);
+                close(found(&map, ends[0], ends[1]).length, expected.expect("a path"), 1e-10);
+            }
         }
     }
 }

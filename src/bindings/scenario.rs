@@ -5,7 +5,7 @@ use super::records::{Check, QueryCheck, Rollout, object, record, with_configurat
 use super::types::{
     Booleans, CertifyOptions, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument,
     JsNumber, JsPair, JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ResumeOptions,
-    RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
+    RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, ShortestPathsOptions, TwoRanges,
 };
 use super::{drive, neighbours, planner, shortest_paths, subdivision};
 use crate::Error;
@@ -209,10 +209,17 @@ impl Scenario {
     }
 
     /// The world of a disc or a point, prepared for the shortest paths between any two positions. It outlives the scenario.
-    /// @throws {PlanariumError} `unsupported` for another robot
+    /// @throws {PlanariumError} `unsupported` for another robot; `unknown-field`, `wrong-type`
     #[wasm_bindgen(js_name = shortestPaths)]
-    pub fn shortest_paths(&self) -> Result<shortest_paths::ShortestPaths, Error> {
-        optimum::ShortestPaths::new(&self.world).map(shortest_paths::ShortestPaths)
+    pub fn shortest_paths(
+        &self,
+        options: Option<ShortestPathsOptions>,
+    ) -> Result<shortest_paths::ShortestPaths, Error> {
+        let mut fields = fields(options)?;
+        let many_queries = fields.take("many_queries")?.unwrap_or(false);
+        fields.finish("many_queries")?;
+        let paths = optimum::ShortestPaths::new(&self.world)?;
+        Ok(shortest_paths::ShortestPaths(if many_queries { paths.for_many_queries() } else { paths }))
     }
 
     /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query

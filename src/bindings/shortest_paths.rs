@@ -2,7 +2,7 @@
 
 use super::arguments::row;
 use super::records::object;
-use super::types::{JsConfiguration, JsShortestOrNull};
+use super::types::{JsConfiguration, JsCountOrNull, JsShortestOrNull};
 use crate::Error;
 use crate::optimum;
 use wasm_bindgen::prelude::*;
@@ -13,6 +13,12 @@ pub struct ShortestPaths(pub(super) optimum::ShortestPaths);
 
 #[wasm_bindgen]
 impl ShortestPaths {
+    /// The number of tangents that are known beforehand, in both directions; null if each query looks for its own.
+    #[wasm_bindgen(getter)]
+    pub fn tangents(&self) -> JsCountOrNull {
+        self.0.tangents().map_or(JsValue::NULL, |count| JsValue::from_f64(count as f64)).unchecked_into()
+    }
+
     /// The shortest path between two positions, in metres: its length, which is the infimum of the lengths of all free paths,
     /// and its points. It touches obstacles, and its arcs are replaced by chords of at most 0.05 radians. Null if there is no
     /// path.

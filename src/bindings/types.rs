@@ -33,6 +33,7 @@ plain! {
     NeighboursOptions = "NeighboursOptions",
     SampleOptions = "SampleOptions",
     OptimumOptions = "OptimumOptions",
+    ShortestPathsOptions = "ShortestPathsOptions",
     RolloutOptions = "RolloutOptions",
     JsWay = "\"short\" | \"sign-of-difference\"",
     CspaceOptions = "CspaceOptions",
@@ -47,6 +48,7 @@ plain! {
     JsBox = "Box",
     JsVerdictOrNull = "CertificateVerdict | null",
     JsShortestOrNull = "Shortest | null",
+    JsCountOrNull = "number | null",
 }
 
 #[cfg(feature = "full")]
@@ -279,6 +281,14 @@ export interface OptimumOptions {
   query?: string;
   /** The metric of an arm; `sum` by default. */
   metric?: "sum" | "euclidean" | "naive";
+}
+
+/** Options of `scenario.shortestPaths`. */
+export interface ShortestPathsOptions {
+  /** Whether all tangents between obstacles are found beforehand: that takes up to ten times as long, and makes the longest
+   * queries up to twenty times as fast. Large and open worlds stay as they are; `tangents` of what is prepared tells. `false`
+   * by default. */
+  manyQueries?: boolean;
 }
 
 /** Options of `scenario.certify`. */

@@ -12,18 +12,20 @@
 //!   the interval with the tangent enters.
 //!
 //! As bounds are never above the length and tangents are exact, the first path that reaches the goal is the shortest.
+//!
+//! Where the tangents between arcs are known beforehand (`tangents.rs`), only the rays of the start are pushed, and those of the
+//! goal to find the tangents that reach it.
 
-use super::arcs::{Arc, Arcs, Part};
-use super::circles::{Circle, Path, Tangent, Turn, tangent, turn_left, turned};
-use super::dead_ends::DeadEnds;
+use super::arcs::{Arc, Part};
+use super::circles::{Circle, Tangent, Turn, tangent, turn_left, turned};
 use super::grown::Grown;
-use super::mesh::{Mesh, Side};
-use super::rays::{Rays, SLACK, Source, outermost};
+use super::mesh::Side;
+use super::rays::{Rays, Source};
 use super::route::{Bend, Route};
-use crate::error::Error;
-use crate::geometry::{Aabb, Disc, Point, Segment, Vector};
+use super::sight::{Sight, Touch, is_among};
+use super::tangents::{End, Known, Way};
+use crate::geometry::{Disc, Point, Segment, Vector};
 use crate::graph::Ordered;
-use crate::scenario::World;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
@@ -33,14 +35,6 @@ const PARALLEL: f64 = 1e-3;
 
 /// No shortest path turns so nearly around a whole circle, in radians.
 const ROUNDED: f64 = 1e-6;
-
-/// The world of a disc, prepared for the shortest paths between any two positions.
-pub(super) struct Prepared {
-    pub grown: Grown,
-    mesh: Mesh,
-    arcs: Arcs,
-    ends: DeadEnds,
-}
 
 /// Where a path begins, or touches a circle and turns around it.
 #[derive(Debug, Clone, Copy)]
@@ -68,58 +62,21 @@ const START: u32 = u32::MAX;
 enum Node {
     /// Rays of a source enter a triangle through a side.
     Interval { source: u32, side: Side, rays: Rays },
-    /// A tangent from a source to a circle, its end at an angle, which a path may turn around.
-    Arrival { source: u32, part: u32, turn: Turn, segment: Segment, angles: [f64; 2] },
+    /// A tangent from a source to an arc, its end at an angle, which a path may turn around.
+    Arrival { source: u32, arc: u32, turn: Turn, segment: Segment, angles: [f64; 2] },
     /// A root leaves its arc in a part of it: the number of the part in the order of the turn.
     Departure { root: u32, number: u32 },
-    /// A tangent from a source to the goal.
-    Goal { source: u32, segment: Segment, left_at: f64 },
-}
-
-impl Prepared {
-    /// Prepares a world for a disc of a radius, in metres.
-    pub fn new(world: &World, bounds: Aabb, radius: f64) -> Self {
-        let grown = Grown::new(world, bounds, radius);
-        let mesh = Mesh::new(&grown);
-        let arcs = Arcs::new(&grown, &mesh);
-        let ends = DeadEnds::new(&mesh, &arcs);
-        Self { grown, mesh, arcs, ends }
-    }
-
-    /// The shortest path between two positions: its length and its points, where arcs are replaced by chords of at most 0.05
-    /// radians. `None` if there is no path.
-    ///
-    /// # Errors
-    /// `start-in-collision`, `goal-in-collision`.
-    pub fn shortest(&self, ends: [Point; 2]) -> Result<Option<Path>, Error> {
-        Ok(self.route(ends)?.map(|route| route.chords(self.grown.larger)))
-    }
-
-    /// The shortest path between two positions with its arcs; `None` if there is no path.
-    ///
-    /// # Errors
-    /// `start-in-collision`, `goal-in-collision`.
-    pub fn route(&self, ends: [Point; 2]) -> Result<Option<Route>, Error> {
-        self.grown.check(ends)?;
-        if ends[0] == ends[1] {
-            return Ok(Some(Route { length: 0.0, ends, bends: Vec::new() }));
-        }
-        let triangles = ends.map(|p| self.mesh.locate(p, 0));
-        if !self.ends.are_joined(triangles) {
-            return Ok(None);
-        }
-        Ok(Search::new(self, ends, triangles).run())
-    }
+    /// A known tangent from a root to an arc.
+    Known { root: u32, way: u32 },
+    /// A tangent from a root to the goal.
+    Goal { root: u32, segment: Segment, left_at: f64 },
 }
 
 /// One search.
-struct Search<'a> {
-    mesh: &'a Mesh,
-    arcs: &'a Arcs,
+pub(super) struct Search<'a> {
+    sight: &'a Sight<'a>,
     grown: &'a Grown,
-    ends: &'a DeadEnds,
-    /// Triangles of dead ends that lead from start and goal out of them.
-    allowed: Vec<u32>,
+    known: Option<&'a Known<'a>>,
     goal: Point,
     goal_in: u32,
     frontier: BinaryHeap<(Reverse<Ordered>, u32)>,
@@ -131,9 +88,14 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(prepared: &'a Prepared, [start, goal]: [Point; 2], triangles: [u32; 2]) -> Self {
-        let Prepared { grown, mesh, arcs, ends } = prepared;
-        let circle = Circle { disc: Disc { center: start, radius: 0.0 }, normals: None };
+    /// From a start to a goal, in their triangles.
+    pub fn new(
+        sight: &'a Sight<'a>,
+        grown: &'a Grown,
+        known: Option<&'a Known<'a>>,
+        [start, goal]: [Point; 2],
+        triangles: [u32; 2],
+    ) -> Self {
         let root = Root {
             before: 0,
             left_at: 0.0,
@@ -144,36 +106,38 @@ impl<'a> Search<'a> {
             point: start,
             other: START,
         };
-        let source = Source { root: 0, circle, turn: Turn::Left, point: start, length: 0.0 };
         let mut search = Self {
-            mesh,
-            arcs,
+            sight,
             grown,
+            known,
             goal,
-            ends,
-            allowed: triangles.into_iter().flat_map(|triangle| ends.out_of(triangle)).collect(),
             goal_in: triangles[1],
             frontier: BinaryHeap::new(),
             nodes: Vec::new(),
             roots: vec![root],
-            sources: vec![source],
-            latest: vec![[START; 2]; arcs.arcs.len()],
+            sources: vec![Source::at(start)],
+            latest: vec![[START; 2]; sight.arcs.arcs.len()],
         };
         search.leave(0, triangles[0], None);
         search
     }
 
-    fn run(mut self) -> Option<Route> {
+    /// The shortest path; `None` if there is none.
+    pub fn run(mut self) -> Option<Route> {
         while let Some((_, number)) = self.frontier.pop() {
             match self.nodes[number as usize] {
                 Node::Interval { source, side, rays } => self.enter(source, side, rays),
-                Node::Arrival { source, part, turn, segment, angles } => {
-                    self.arrive(source, part, turn, segment, angles);
+                Node::Arrival { source, arc, turn, segment, angles } => {
+                    self.arrive(source, arc, turn, segment, angles);
                 }
                 Node::Departure { root, number } => self.depart(root, number),
-                Node::Goal { source, segment, left_at } => {
+                Node::Known { root, way } => {
+                    let known = self.known.expect("a known tangent");
+                    self.arrive_by(known, root, way);
+                }
+                Node::Goal { root, segment, left_at } => {
                     if self.grown.is_free(&segment) {
-                        return Some(self.route(source, left_at));
+                        return Some(self.route(root, left_at));
                     }
                 }
             }
@@ -191,14 +155,11 @@ impl<'a> Search<'a> {
     fn enter(&mut self, source: u32, mut side: Side, mut rays: Rays) {
         loop {
             self.look(source, side.triangle(), Some(&rays));
-            let [left, right] = [side.next().next(), side.next()].map(|side| {
-                let (across, open) = self.across(side)?;
-                Some((across, self.sources[source as usize].through(&rays, open)?))
-            });
-            match (left, right) {
-                (None, None) => return,
-                (Some(only), None) | (None, Some(only)) => (side, rays) = only,
-                (Some(left), Some(right)) => {
+            let ways = self.sight.onward(&self.sources[source as usize], side, &rays);
+            match ways {
+                [None, None] => return,
+                [Some(only), None] | [None, Some(only)] => (side, rays) = only,
+                [Some(left), Some(right)] => {
                     for (side, rays) in [left, right] {
                         self.push_interval(source, side, rays);
                     }
@@ -208,32 +169,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The side of the triangle beyond and its open part, if a shortest path may go there.
-    fn across(&self, side: Side) -> Option<(Side, [Point; 2])> {
-        let (across, open) = self.mesh.across(side)?;
-        let triangle = across.triangle();
-        (!self.ends.is_closed(triangle) || self.allowed.contains(&triangle)).then_some((across, open))
-    }
-
     /// Rays of a source leave the triangle in which they begin: those between two if given, else all, from a point.
     fn leave(&mut self, source: u32, triangle: u32, only: Option<&Rays>) {
         self.look(source, triangle, only);
-        for side in self.mesh.sides(triangle) {
-            let Some((across, open)) = self.across(side) else { continue };
-            let from = &self.sources[source as usize];
-            let through = match only {
-                Some(rays) => {
-                    from.through(rays, open).filter(|rays| from.crosses(&rays.middle(), &self.mesh.segment(side)))
-                }
-                None => {
-                    let [right, left] = open.map(|point| outermost(&(point - from.point), 0.0));
-                    left.zip(right)
-                        .map(|(left, right)| Rays { left, right })
-                        .filter(|rays| rays.right.perp(&rays.left) >= -SLACK)
-                }
-            };
-            if let Some(rays) = through {
-                self.push_interval(source, across, rays);
+        for side in self.sight.mesh.sides(triangle) {
+            if let Some((side, rays)) = self.sight.outward(&self.sources[source as usize], side, only) {
+                self.push_interval(source, side, rays);
             }
         }
     }
@@ -241,7 +182,7 @@ impl<'a> Search<'a> {
     /// Rays of a source are to enter a triangle through a side.
     fn push_interval(&mut self, source: u32, side: Side, rays: Rays) {
         let from = &self.sources[source as usize];
-        let Segment { a, b } = self.mesh.segment(side);
+        let Segment { a, b } = self.sight.mesh.segment(side);
         let along = b - a;
         let (center, length) = (from.circle.disc.center - a, along.norm());
         // Where a ray crosses the side, as a part of it; of one that is nearly parallel to it little is known.
@@ -266,36 +207,25 @@ impl<'a> Search<'a> {
     /// Looks for the goal and for arcs in a triangle that rays of a source have entered.
     fn look(&mut self, source: u32, triangle: u32, rays: Option<&Rays>) {
         let from = self.sources[source as usize];
-        let is_seen = |tangent: &Tangent| {
-            let along = tangent.segment.b - tangent.segment.a;
-            rays.is_none_or(|rays| rays.contain(&(Vector::new(-along.y, along.x) / along.norm())))
-        };
         if triangle == self.goal_in {
             let goal = Circle { disc: Disc { center: self.goal, radius: 0.0 }, normals: None };
-            if let Some(found) = tangent([&from.circle, &goal], [from.turn, Turn::Left]).filter(is_seen) {
-                let [left_at, _] = found.angles;
-                let length = self.length_at(from.root, left_at) + length_of(&found.segment);
-                self.push(length, Node::Goal { source, segment: found.segment, left_at });
+            let found = tangent([&from.circle, &goal], [from.turn, Turn::Left]);
+            if let Some(Tangent { segment, angles: [left_at, _] }) = found.filter(|found| is_among(rays, found)) {
+                self.push_goal(from.root, segment, left_at);
             }
         }
-        for number in self.arcs.parts_in(triangle) {
-            let part = self.arcs.parts[number as usize];
-            let circle = self.arcs.circle(part.arc);
-            let may_touch = rays.map_or([true; 2], |rays| from.may_touch(rays, &circle.disc));
-            for (turn, _) in Turn::BOTH.into_iter().zip(may_touch).filter(|(_, may_touch)| *may_touch) {
-                let Some(found) = tangent([&from.circle, circle], [from.turn, turn]).filter(is_seen) else { continue };
-                let [left_at, angle] = found.angles;
-                let after = self.arcs.arcs[part.arc as usize].after(angle);
-                if (part.from..=part.to).contains(&after) {
-                    let length = self.length_at(from.root, left_at) + length_of(&found.segment);
-                    let bound = length + (self.goal - found.segment.b).norm();
-                    if !self.is_needless(part.arc, turn, angle, length) {
-                        let (segment, angles) = (found.segment, found.angles);
-                        self.push(bound, Node::Arrival { source, part: number, turn, segment, angles });
-                    }
-                }
+        self.sight.touch(&from, triangle, rays, &mut |Touch { arc, turn, tangent: Tangent { segment, angles } }| {
+            let length = self.length_at(from.root, angles[0]) + length_of(&segment);
+            if !self.is_needless(arc, turn, angles[1], length) {
+                let bound = length + (self.goal - segment.b).norm();
+                self.push(bound, Node::Arrival { source, arc, turn, segment, angles });
             }
-        }
+        });
+    }
+
+    fn push_goal(&mut self, root: u32, segment: Segment, left_at: f64) {
+        let length = self.length_at(root, left_at) + length_of(&segment);
+        self.push(length, Node::Goal { root, segment, left_at });
     }
 
     /// The length of the path to where a root leaves its circle.
@@ -306,12 +236,12 @@ impl<'a> Search<'a> {
 
     /// The length of an arc from one angle to another, at the true radius.
     fn along(&self, arc: u32, turn: Turn, from: f64, to: f64) -> f64 {
-        (self.arcs.circle(arc).disc.radius - self.grown.larger) * turned_by(turn, from, to)
+        (self.sight.arcs.circle(arc).disc.radius - self.grown.larger) * turned_by(turn, from, to)
     }
 
     /// Whether a path that touches an arc at an angle is no shorter than one that has come before.
     fn is_needless(&self, arc: u32, turn: Turn, angle: f64, length: f64) -> bool {
-        let on = &self.arcs.arcs[arc as usize];
+        let on = &self.sight.arcs.arcs[arc as usize];
         let latest = self.latest[arc as usize][usize::from(turn == Turn::Right)];
         let next = |root: &Root| Some(root.other).filter(|&root| root != START).map(|root| self.roots[root as usize]);
         let first = Some(latest).filter(|&root| root != START).map(|root| self.roots[root as usize]);
@@ -322,33 +252,67 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// A path reaches a circle, to turn around it.
-    fn arrive(&mut self, source: u32, part: u32, turn: Turn, segment: Segment, [left_at, angle]: [f64; 2]) {
+    /// A path reaches an arc, to turn around it, if the way there is free.
+    fn arrive(&mut self, source: u32, arc: u32, turn: Turn, segment: Segment, [left_at, angle]: [f64; 2]) {
         let before = self.sources[source as usize].root;
         let length = self.length_at(before, left_at) + length_of(&segment);
-        let arc = self.arcs.parts[part as usize].arc;
-        if self.is_needless(arc, turn, angle, length) || !self.grown.is_free(&segment) {
-            return;
+        if !self.is_needless(arc, turn, angle, length) && self.grown.is_free(&segment) {
+            self.add(Root { before, left_at, arc, turn, angle, length, point: segment.b, other: START });
         }
-        let root = self.roots.len() as u32;
-        let latest = &mut self.latest[arc as usize][usize::from(turn == Turn::Right)];
-        let other = std::mem::replace(latest, root);
-        self.roots.push(Root { before, left_at, arc, turn, angle, length, point: segment.b, other });
-        self.depart(root, 0);
+    }
+
+    /// A path reaches an arc by a known tangent.
+    fn arrive_by(&mut self, known: &Known<'_>, before: u32, way: u32) {
+        let &Way { left_at, to: End { arc, turn, angle, point }, length, .. } = known.way(way);
+        let length = self.length_at(before, left_at) + length;
+        if !self.is_needless(arc, turn, angle, length) {
+            self.add(Root { before, left_at, arc, turn, angle, length, point, other: START });
+        }
+    }
+
+    /// Adds a root, and where a path may go from there.
+    fn add(&mut self, root: Root) {
+        let number = self.roots.len() as u32;
+        let latest = &mut self.latest[root.arc as usize][usize::from(root.turn == Turn::Right)];
+        let other = std::mem::replace(latest, number);
+        self.roots.push(Root { other, ..root });
+        match self.known {
+            Some(known) => self.depart_by(known, number),
+            None => self.depart(number, 0),
+        }
+    }
+
+    /// A root leaves its arc by known tangents.
+    fn depart_by(&mut self, known: &Known<'_>, root: u32) {
+        let Root { arc, turn, angle, .. } = self.roots[root as usize];
+        for number in known.leaving(self.sight.arcs, arc, turn, angle) {
+            let &Way { left_at, to: End { arc, turn, angle, point }, length, .. } = known.way(number);
+            let length = self.length_at(root, left_at) + length;
+            if !self.is_needless(arc, turn, angle, length) {
+                self.push(length + (self.goal - point).norm(), Node::Known { root, way: number });
+            }
+        }
+        let on = &self.sight.arcs.arcs[arc as usize];
+        if let Some(&Touch { tangent: Tangent { segment, angles: [_, left_at] }, .. }) = known.to_goal(arc, turn) {
+            let [first, then] = [angle, left_at].map(|angle| turn.sign() * on.after(angle));
+            if on.is_whole() || first <= then + ROUNDED {
+                self.push_goal(root, Segment::new(segment.b, segment.a), left_at);
+            }
+        }
     }
 
     /// The next part of its arc, from a number on in the order of its turn, at which a root may leave: its number there, the
     /// part, and the angles between.
     fn departure(&self, root: u32, number: u32) -> Option<(u32, u32, [f64; 2])> {
         let Root { arc, turn, angle, .. } = self.roots[root as usize];
-        let Arc { from, ref parts, .. } = self.arcs.arcs[arc as usize];
-        let is_whole = self.arcs.arcs[arc as usize].is_whole();
-        let at = self.arcs.arcs[arc as usize].after(angle);
+        let Arc { from, ref parts, .. } = self.sight.arcs.arcs[arc as usize];
+        let is_whole = self.sight.arcs.arcs[arc as usize].is_whole();
+        let at = self.sight.arcs.arcs[arc as usize].after(angle);
         let count = parts.len() as u32;
         // Of a whole circle those before where the turn begins come again after all others.
         (number..if is_whole { 2 * count } else { count }).find_map(|place| {
             let part = if turn == Turn::Left { parts.start + place % count } else { parts.end - 1 - place % count };
-            let Part { from: low, to: high, .. } = self.arcs.parts[part as usize];
+            let Part { from: low, to: high, .. } = self.sight.arcs.parts[part as usize];
             let is_ahead = (turn == Turn::Left) == (place < count);
             let [low, high] = if is_ahead { [low.max(at), high] } else { [low, high.min(at)] };
             (low <= high).then_some((place, part, [from + low, from + high]))
@@ -359,21 +323,17 @@ impl<'a> Search<'a> {
     fn depart(&mut self, root: u32, number: u32) {
         let Some((place, part, [low, high])) = self.departure(root, number) else { return };
         let Root { arc, turn, angle, length, point, .. } = self.roots[root as usize];
-        let circle = *self.arcs.circle(arc);
+        let circle = *self.sight.arcs.circle(arc);
         let first = turned_to(if turn == Turn::Left { low } else { high });
         let (point, length) = if number == 0 {
             (point, length)
         } else {
             (circle.at(first), length + self.along(arc, turn, angle, first))
         };
-        let normal = |angle: f64| {
-            let (sin, cos) = libm::sincos(angle);
-            -turn.sign() * Vector::new(cos, sin)
-        };
-        let rays = Rays { left: normal(high), right: normal(low) };
+        let rays = Rays::from_arc(turn, [low, high]);
         let source = self.sources.len() as u32;
         self.sources.push(Source { root, circle, turn, point, length });
-        self.leave(source, self.arcs.parts[part as usize].triangle, Some(&rays));
+        self.leave(source, self.sight.arcs.parts[part as usize].triangle, Some(&rays));
         if let Some((next, _, [low, high])) = self.departure(root, place + 1) {
             let then = turned_to(if turn == Turn::Left { low } else { high });
             let (at, length) = (circle.at(then), self.roots[root as usize].length + self.along(arc, turn, angle, then));
@@ -381,9 +341,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The path that ends with a straight way from a source to the goal.
-    fn route(&self, source: u32, left_at: f64) -> Route {
-        let mut ways = vec![(self.sources[source as usize].root, left_at)];
+    /// The path that ends with a straight way from a root to the goal.
+    fn route(&self, last: u32, left_at: f64) -> Route {
+        let mut ways = vec![(last, left_at)];
         while let Some(&(root, _)) = ways.last().filter(|(root, _)| self.roots[*root as usize].arc != START) {
             let root = &self.roots[root as usize];
             ways.push((root.before, root.left_at));
@@ -393,12 +353,12 @@ impl<'a> Search<'a> {
         let bend = |(root, left_at): (u32, f64)| {
             let Root { arc, turn, angle: from, .. } = self.roots[root as usize];
             let to = if turned_by(turn, from, left_at) > 0.0 { left_at } else { from };
-            Bend { disc: self.arcs.circle(arc).disc, turn, from, to }
+            Bend { disc: self.sight.arcs.circle(arc).disc, turn, from, to }
         };
         let bends = ways.into_iter().rev().map(bend).collect();
-        let source = &self.sources[source as usize];
-        let end = source.circle.at(left_at);
-        let length = self.length_at(source.root, left_at) + (self.goal - end).norm();
+        let root = &self.roots[last as usize];
+        let end = if root.arc == START { root.point } else { self.sight.arcs.circle(root.arc).at(left_at) };
+        let length = self.length_at(last, left_at) + (self.goal - end).norm();
         Route { length, ends: [self.roots[start as usize].point, self.goal], bends }
     }
 }

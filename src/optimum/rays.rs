@@ -17,6 +17,15 @@ pub(super) struct Rays {
 }
 
 impl Rays {
+    /// Those that leave a circle with a turn between two angles.
+    pub fn from_arc(turn: Turn, angles: [f64; 2]) -> Self {
+        let [right, left] = angles.map(|angle| {
+            let (sin, cos) = libm::sincos(angle);
+            -turn.sign() * Vector::new(cos, sin)
+        });
+        Self { left, right }
+    }
+
     /// Is the normal that of a ray between them, or nearly? They are less than half a turn apart.
     pub fn contain(&self, normal: &Vector) -> bool {
         self.right.perp(normal) >= -SLACK
@@ -42,6 +51,12 @@ pub(super) struct Source {
 }
 
 impl Source {
+    /// A point from which a path begins.
+    pub fn at(point: Point) -> Self {
+        let circle = Circle { disc: Disc { center: point, radius: 0.0 }, normals: None };
+        Self { root: 0, circle, turn: Turn::Left, point, length: 0.0 }
+    }
+
     /// The signed distance of the circle's centre to the left of its rays.
     pub fn offset(&self) -> f64 {
         self.turn.sign() * self.circle.disc.radius

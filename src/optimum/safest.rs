@@ -1,7 +1,7 @@
 //! The safest path: that of the widest disc which passes, and of these the shortest.
 
 use super::grown::larger;
-use super::polyanya::Prepared;
+use super::prepared::Prepared;
 use super::widest::{Widest, ends, widest};
 use crate::error::Error;
 use crate::world::PlanningWorld;

@@ -293,7 +293,14 @@ test("optimum returns a record: exact, or a reference", () => {
   const rings = Scenario.parse(readFileSync(new URL("../../www/scenes/rings.json", import.meta.url), "utf8"));
   assert.equal(rings.optimum().length, 13.543068005532522);
   // A prepared world has the same answers.
+  const many = scenario.shortestPaths({ manyQueries: true });
+  assert.deepEqual(many.query([2, 2], [8, 2]), { length, path });
+  assert.ok(Number(many.tangents) > 0);
+  many.free();
+  fails(() => Reflect.apply(scenario.shortestPaths, scenario, [{ manyQueries: 1 }]), "wrong-type", "/manyQueries");
+  fails(() => Reflect.apply(scenario.shortestPaths, scenario, [{ many: true }]), "unknown-field", "/many");
   const paths = scenario.shortestPaths();
+  assert.equal(paths.tangents, null);
   assert.deepEqual(paths.query([2, 2], new Float64Array([8, 2])), { length, path });
   assert.throws(() => paths.query([2], [8, 2]), { code: "wrong-dimension", pointer: "/start" });
   assert.throws(() => paths.query([2, 2], [8, Infinity]), { code: "not-finite", pointer: "/goal/1" });

@@ -236,6 +236,30 @@ test("degrees are measured on the ellipsoid", () => {
   assert.ok(lengthOf(shortestPath(start, goal, { obstacles: block, minDistance: 10 })) > around);
 });
 
+test("tangents are found beforehand for many queries", () => {
+  const blocks = collection(
+    polygon(ring([4, 0], [6, 6])),
+    polygon(ring([4, 7], [6, 9])),
+    polygon(ring([7, 5], [8, 8])),
+  );
+  const few = prepare(blocks, { minDistance: 0.25, ...METRES });
+  const many = prepare(blocks, { minDistance: 0.25, manyQueries: true, ...METRES });
+  assert.equal(few.tangents, null);
+  assert.ok(Number(many.tangents) > 0);
+  for (const goal of [
+    [9, 2],
+    [9, 6.5],
+    [6.5, 6.5],
+    [5, -3],
+  ])
+    close(lengthOf(many.query([1, 2], goal)), lengthOf(few.query([1, 2], goal)));
+  fails(() => prepareAny(blocks, { manyQueries: 1 }), "wrong-type", "/manyQueries");
+  fails(() => findAny([1, 2], [9, 2], { manyQueries: true }), "unknown-field", "/manyQueries");
+  many.free();
+  fails(() => many.tangents, "freed", "");
+  few.free();
+});
+
 test("what is no GeoJSON is refused where it stands", () => {
   const bow = /** @type {Pair[]} */ ([
     [0, 0],

@@ -7,8 +7,8 @@
  *   --only WORD    worlds whose name has the word
  *   --write        updates the table in docs/benchmarks.md
  *
- * Worlds are generated, and maps of MovingAI where the variable PLANARIUM_WORLDS names their folder. All sides get the
- * same areas and queries, in metres; turf, which knows degrees alone, gets them at the equator, and no distance to
+ * Worlds are generated, and maps of MovingAI and ROS where the variable PLANARIUM_WORLDS names their folder. All sides
+ * get the same areas and queries, in metres; turf, which knows degrees alone, gets them at the equator, and no distance to
  * keep, which it does not know. Whether a path touches an obstacle is judged here, by the distance of each of its
  * segments from each side of each area, with a thousandth of the distance to spare. Preparation is in time of the
  * processor, a query the least of five. The peers are those of
@@ -16,7 +16,7 @@
  */
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { readWorld } from "planarium/import";
@@ -47,10 +47,12 @@ const RESOLUTION = 1;
 /** How far areas reach up for recast-navigation, in metres. */
 const HEIGHT = 3;
 
-/** The maps, and the cells that recast-navigation has of them. */
+/** The maps: their files, the distance that is kept, and the cells that recast-navigation has of them. */
 const MAPS = /** @type {const} */ ([
-  ["Berlin_0_256", 0.1],
-  ["NewYork_1_512", 0.2],
+  [["movingai/Berlin_0_256.map"], 0.3, 0.1],
+  [["movingai/NewYork_1_512.map"], 0.3, 0.2],
+  [["ros/warehouse.yaml", "ros/warehouse.pgm"], 0.25, 0.05],
+  [["ros/warehouse.yaml", "ros/warehouse.pgm"], 0, 0.05],
 ]);
 
 /** Milliseconds of the processor so far. */
@@ -96,16 +98,23 @@ function houses(name, count, side, isSmall) {
   return { name, size: [side, side], areas, distance: 0.5, cell: 0.25, isSmall };
 }
 
-/** A map of MovingAI. @param {string} folder @param {string} name @param {number} cell @returns {Promise<World>} */
-async function mapOf(folder, name, cell) {
-  const bytes = new Uint8Array(readFileSync(join(folder, "movingai", `${name}.map`)));
-  const { scenario, grid } = await readWorld([{ name: `${name}.map`, bytes }], { robot: { type: "point" } });
-  const areas = scenario.world.obstacles.map((one) => {
+/** A map, which begins at 0, 0. @param {string} folder @param {(typeof MAPS)[number]} map @returns {Promise<World>} */
+async function mapOf(folder, [paths, distance, cell]) {
+  const read = (/** @type {string} */ path) => new Uint8Array(readFileSync(join(folder, path)));
+  const files = paths.map((path) => ({ name: basename(path), bytes: read(path) }));
+  const { scenario } = await readWorld(files, { robot: { type: "point" } });
+  const name = basename(paths[0]).replace(/\..*/u, "");
+  const { bounds, obstacles } = scenario.world;
+  if (bounds === undefined) throw new Problem(`${name} has no bounds`);
+  const [x0, y0] = bounds.min;
+  const moved = (/** @type {readonly (readonly [number, number])[]} */ ring) =>
+    ring.map(([x, y]) => /** @type {Position} */ ([x - x0, y - y0]));
+  const areas = obstacles.map((one) => {
     if (one.type !== "polygon") throw new Problem(`${name} has other obstacles than areas`);
-    return /** @type {Area} */ ([one.vertices, ...(one.holes ?? [])]);
+    return /** @type {Area} */ ([one.vertices, ...(one.holes ?? [])].map(moved));
   });
-  const size = /** @type {Position} */ ([grid?.width, grid?.height]);
-  return { name, size, areas, distance: 0.3, cell, isSmall: false };
+  const size = /** @type {Position} */ ([bounds.max[0] - x0, bounds.max[1] - y0]);
+  return { name: `${name}, ${distance} m`, size, areas, distance, cell, isSmall: false };
 }
 
 /** All sides of areas, in squares where they may be. */
@@ -205,14 +214,19 @@ function collection(areas, unit = 1) {
   return { type: /** @type {const} */ ("FeatureCollection"), features };
 }
 
-/** @param {World} world @returns {Side & { lengths: (query: Query) => number | undefined }} */
-function planarium({ areas, distance, size }) {
+/**
+ * @param {World} world
+ * @param {boolean} manyQueries
+ * @returns {Side & { lengths: (query: Query) => number | undefined }}
+ */
+function planarium({ areas, distance, size }, manyQueries) {
   const obstacles = collection(areas);
   const began = processor();
   const paths = prepare(obstacles, {
     minDistance: distance,
     bounds: [-20, -20, size[0] + 20, size[1] + 20],
     coordinates: "metres",
+    manyQueries,
   });
   const preparation = processor() - began;
   return {
@@ -356,17 +370,18 @@ await script(async () => {
   const [count, few] = [integer("queries", options.queries, 1), integer("turf", options.turf, 1)];
   const modules = await peers();
   const folder = process.env.PLANARIUM_WORLDS;
-  const maps = folder === undefined ? [] : await Promise.all(MAPS.map(([name, cell]) => mapOf(folder, name, cell)));
+  const maps = folder === undefined ? [] : await Promise.all(MAPS.map((map) => mapOf(folder, map)));
   const worlds = [houses("20 houses", 20, 100, true), houses("2000 houses", 2000, 1000, false), ...maps];
   /** @type {string[][]} */ const body = [];
   for (const world of worlds.filter(({ name }) => name.includes(options.only))) {
     const judge = new Judge(world.areas);
-    const ours = planarium(world);
+    const ours = planarium(world, false);
     const queries = queriesOf(world, judge, ours, count);
     const shortest = queries.map(ours.lengths);
     /** @type {[string, Side | null][]} */
     const sides = [
       ["`planarium/shortest`", ours],
+      ["with `manyQueries`", planarium(world, true)],
       ["`recast-navigation`", recast(modules.recast, world)],
       ["`@turf/shortest-path`", world.isSmall ? turf(modules.turf, world, few) : null],
     ];
@@ -392,8 +407,9 @@ await script(async () => {
         `${digits(quantile(times, 0.5))} (${digits(Math.max(...times))})`,
         `${found.length} of ${done.length}`,
         `${percent(quantile(over, 0.5))} (${percent(Math.max(...over))})`,
-        share(1e-9),
-        side.distance === 0 ? "-" : share(KEPT * world.distance),
+        // The shortest path of a point touches corners.
+        world.distance === 0 ? "-" : share(1e-9),
+        world.distance === 0 || side.distance === 0 ? "-" : share(KEPT * world.distance),
       ]);
       console.log(body.at(-1)?.join(" | "));
     }

@@ -1,8 +1,8 @@
 //! The shortest paths of a point in maps of the MovingAI kind, beside those of the crate polyanya, whose numbers have 32 bits.
 //!
-//! `cargo run --release -- MAP...` reads maps and adds generated ones until there are ten. Of every map it prints the time of both
-//! preparations, the medians and greatest times of the same queries, and the largest relative difference of the lengths. It fails
-//! if that exceeds 1e-5, or if one of both finds a path where the other finds none.
+//! `cargo run --release -- MAP...` reads maps and adds generated ones until there are ten. Of every map it prints the times of the
+//! preparations, the medians and greatest times of the same queries, ours also with all tangents known, and the largest relative
+//! difference of the lengths. It fails if that exceeds 1e-5, or if one finds a path where another finds none.
 
 use glam::Vec2;
 use planarium::geometry::{Aabb, Point};
@@ -139,11 +139,14 @@ fn main() {
         let paths = ShortestPaths::new(&map.scenario()).expect("a disc");
         let own = begun.elapsed();
         let begun = Instant::now();
+        let many = ShortestPaths::new(&map.scenario()).expect("a disc").for_many_queries();
+        let all = begun.elapsed();
+        let begun = Instant::now();
         let mesh = map.mesh();
         let other = begun.elapsed();
         let free: Vec<usize> = (0..map.free.len()).filter(|&cell| map.free[cell]).collect();
         let mut random = Random::new(1, Stream::Samples);
-        let mut times = [Vec::new(), Vec::new()];
+        let mut times = [Vec::new(), Vec::new(), Vec::new()];
         let (mut worst, mut none) = (0.0_f64, 0);
         for _ in 0..QUERIES {
             let ends = [0, 1].map(|_| {
@@ -157,30 +160,42 @@ fn main() {
             let [from, to] = ends.map(|[x, y]| Vec2::new(x as f32, y as f32));
             let expected = mesh.path(from, to).map(|path| f64::from(path.length));
             times[1].push(begun.elapsed());
-            match (found, expected) {
-                (None, None) => none += 1,
-                (Some(found), Some(expected)) if expected > 0.0 => worst = worst.max((found / expected - 1.0).abs()),
-                (Some(found), Some(_)) => worst = worst.max(found),
-                _ => {
-                    println!("  {ends:?}: {found:?}, polyanya {expected:?}");
-                    is_equal = false;
+            let begun = Instant::now();
+            let known = many.query(ends[0], ends[1]).expect("free ends").map(|found| found.length);
+            times[2].push(begun.elapsed());
+            none += usize::from(expected.is_none());
+            for found in [found, known] {
+                match (found, expected) {
+                    (None, None) => (),
+                    (Some(found), Some(expected)) if expected > 0.0 => {
+                        worst = worst.max((found / expected - 1.0).abs())
+                    }
+                    (Some(found), Some(_)) => worst = worst.max(found),
+                    _ => {
+                        println!("  {ends:?}: {found:?}, polyanya {expected:?}");
+                        is_equal = false;
+                    }
                 }
             }
         }
         is_equal &= worst <= MOST;
         times.iter_mut().for_each(|times| times.sort());
-        let [fast, slow] = [QUERIES / 2, QUERIES - 1].map(|i| [0, 1].map(|side| 1e3 * times[side][i].as_secs_f64()));
+        let [fast, slow] = [QUERIES / 2, QUERIES - 1].map(|i| [0, 1, 2].map(|side| 1e3 * times[side][i].as_secs_f64()));
         println!(
-            "{}: {} x {}, {} without a path, lengths differ by {worst:.1e}; preparation {:.1} ms, polyanya {:.1} ms; \
-             query {:.3} ms (at most {:.2}), polyanya {:.3} ms ({:.2})",
+            "{}: {} x {}, {} without a path, lengths differ by {worst:.1e}; preparation {:.1} ms, \
+             for many queries {:.1} ms, polyanya {:.1} ms; query {:.3} ms (at most {:.2}), of many {:.3} ms ({:.2}), \
+             polyanya {:.3} ms ({:.2})",
             map.name,
             map.width,
             map.height,
             none,
             1e3 * own.as_secs_f64(),
+            1e3 * all.as_secs_f64(),
             1e3 * other.as_secs_f64(),
             fast[0],
             slow[0],
+            fast[2],
+            slow[2],
             fast[1],
             slow[1]
         );

@@ -36,6 +36,7 @@ export async function until(page, name, value) {
  */
 export async function plane(page, box, selector = "#workspace canvas[data-layer=top]") {
   const canvas = page.locator(selector);
+  await page.waitForSelector("body[data-settled=true]");
   await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
   const at = (await canvas.boundingBox()) ?? assert.fail("no canvas");
   const { min, max } = typeof box === "number" ? { min: [-box, -box], max: [box, box] } : box;

@@ -58,6 +58,8 @@ export class RobotPanel {
   /** Shows the robot, if it is another one and the panel is open. */
   show() {
     const { robot } = this.editor.document;
+    // What a closed panel has may be of an earlier robot: nothing can be typed there before it is shown again.
+    this.fields.hidden = !this.element.open;
     if (!this.element.open || robot === this.robot) return;
     this.robot = robot;
     this.type.value = robot.type;

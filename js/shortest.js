@@ -50,11 +50,11 @@ export { PlanariumError } from "./error.js";
  */
 
 /**
- * What `prepare` may know beforehand.
- * @typedef {object} ForQueries
- * @property {boolean} [manyQueries]  whether all tangents between obstacles are found beforehand: that takes up to ten
- *   times as long, and makes the longest queries up to twenty times as fast. Large and open maps stay as they are;
- *   `tangents` of what is prepared tells. Default: false
+ * Options of `prepare` alone.
+ * @typedef {object} ManyQueries
+ * @property {boolean} [manyQueries]  whether all tangents between obstacles are found beforehand. Preparation then takes up to about twelve times as long; the longest
+ *   queries take a fifth to a thirtieth of the time on large maps, short ones may take longer. A map that is too large and
+ *   too open stays as it is; then `tangents` of what is prepared is null. Default: false
  */
 
 /**
@@ -147,7 +147,7 @@ export function shortestPath(start, goal, options) {
  * `minDistance`. The inside of a hole is free; areas may overlap. Features without a geometry and geometries without a
  * position are left out; rings that are not closed are closed.
  * @param {Obstacles} obstacles  at most 1,000,000 positions
- * @param {(PrepareOptions & ForQueries) | null} [options]
+ * @param {(PrepareOptions & ManyQueries) | null} [options]
  * @returns {ShortestPaths}  to be freed by `free()` or `using`
  * @throws {PlanariumError} `wrong-type`, `missing-field`, `unknown-type`, `wrong-dimension` for a position of fewer than
  *   two numbers, `not-finite`, `out-of-range`, `too-large`; `degenerate-polygon` for a ring that crosses itself or has no
@@ -182,8 +182,9 @@ export class ShortestPaths {
   }
 
   /**
-   * The number of tangents that are known beforehand, each in both directions; null if each query looks for its own.
+   * The number of tangents that are known beforehand; null if each query looks for its own.
    * @returns {number | null}
+   * @throws {PlanariumError} `freed`, `not-initialised`
    */
   get tangents() {
     requireOwn(this, "tangents");
@@ -203,10 +204,8 @@ export class ShortestPaths {
    */
   query(start, goal) {
     requireOwn(this, "query");
-    requireCore();
-    const planar = this.#planar;
-    const [from, to] = endsOf(start, goal, planar);
     const map = this.#usable();
+    const [from, to] = endsOf(start, goal, this.#planar);
     const numbers = called(() => map.query(from[0], from[1], to[0], to[1]));
     if (numbers.length === 0) return null;
     /** @type {[number, number][]} */
@@ -229,7 +228,7 @@ export class ShortestPaths {
     return map;
   }
 
-  /** Gives the memory back; later queries throw `freed`. @returns {void} */
+  /** Gives the memory back; later calls throw `freed`. @returns {void} */
   free() {
     requireOwn(this, "free");
     const map = this.#map;

@@ -103,14 +103,18 @@ impl Map {
         let (near, wide) = (None, Mutex::new(None));
         let mut map = Self { world, robot, bounds, plane, latitudes, planar, many_queries, near, wide };
         if let Some(area) = bounds.or_else(|| map.area(0)) {
-            map.near = map.prepared(area).map(Arc::new);
+            map.near = map.prepared(area, many_queries).map(Arc::new);
         }
         Ok(map)
     }
 
-    /// The number of tangents that are known beforehand, as [`ShortestPaths::tangents`] has it.
+    /// The number of tangents that are known beforehand, as [`ShortestPaths::tangents`] has it. Of a map without bounds, they are
+    /// known for ends that are no farther from the obstacles than these reach.
     pub fn tangents(&self) -> Option<usize> {
-        self.near.as_ref()?.tangents()
+        match &self.near {
+            Some(paths) => paths.tangents(),
+            None => self.many_queries.then_some(0),
+        }
     }
 
     /// The shortest path between two positions; `None` if there is none.
@@ -179,7 +183,7 @@ impl Map {
         if let Some((_, paths)) = wide.as_ref().filter(|(known, _)| *known == level) {
             return Some(Arc::clone(paths));
         }
-        let paths = Arc::new(self.prepared(self.area(level)?)?);
+        let paths = Arc::new(self.prepared(self.area(level)?, false)?);
         *wide = Some((level, Arc::clone(&paths)));
         Some(paths)
     }
@@ -194,10 +198,10 @@ impl Map {
     }
 
     /// The world, prepared for paths in an area.
-    fn prepared(&self, area: Aabb) -> Option<ShortestPaths> {
+    fn prepared(&self, area: Aabb, many_queries: bool) -> Option<ShortestPaths> {
         let world = World { bounds: Some(area), ..self.world.clone() };
         let paths = ShortestPaths::among(&world, &self.robot).ok()?;
-        Some(if self.many_queries { paths.for_many_queries() } else { paths })
+        Some(if many_queries { paths.for_many_queries() } else { paths })
     }
 }
 

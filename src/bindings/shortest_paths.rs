@@ -13,7 +13,7 @@ pub struct ShortestPaths(pub(super) optimum::ShortestPaths);
 
 #[wasm_bindgen]
 impl ShortestPaths {
-    /// The number of tangents that are known beforehand, in both directions; null if each query looks for its own.
+    /// The number of tangents that are known beforehand; null if each query looks for its own.
     #[wasm_bindgen(getter)]
     pub fn tangents(&self) -> JsCountOrNull {
         self.0.tangents().map_or(JsValue::NULL, |count| JsValue::from_f64(count as f64)).unchecked_into()

@@ -285,9 +285,9 @@ export interface OptimumOptions {
 
 /** Options of `scenario.shortestPaths`. */
 export interface ShortestPathsOptions {
-  /** Whether all tangents between obstacles are found beforehand: that takes up to ten times as long, and makes the longest
-   * queries up to twenty times as fast. Large and open worlds stay as they are; `tangents` of what is prepared tells. `false`
-   * by default. */
+  /** Whether all tangents between obstacles are found beforehand; `false` by default. Preparation then takes up to about twelve
+   * times as long; the longest queries take a fifth to a thirtieth of the time on large maps, short ones may take longer. A
+   * world that is too large and too open stays as it is; then `tangents` of what is prepared is null. */
   manyQueries?: boolean;
 }
 

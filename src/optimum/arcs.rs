@@ -106,7 +106,7 @@ impl Arcs {
     }
 
     /// The parts in a triangle.
-    pub fn parts_in(&self, triangle: u32) -> impl Iterator<Item = u32> + '_ {
+    pub fn parts_in(&self, triangle: u32) -> impl ExactSizeIterator<Item = u32> + '_ {
         let [from, to] = [self.first[triangle as usize], self.first[triangle as usize + 1]];
         self.order[from as usize..to as usize].iter().copied()
     }

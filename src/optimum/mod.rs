@@ -211,18 +211,19 @@ impl ShortestPaths {
         Ok(Self { prepared: Prepared::new(world, bounds, robot.kept_radius()) })
     }
 
-    /// Finds all tangents between obstacles beforehand, as a path between any two positions uses them. That takes up to ten
-    /// times as long as the preparation, and 70 bytes or so a tangent. It makes the longest queries up to twenty times as fast,
-    /// and short ones hardly faster. Lengths are the same but for rounding (after Oh and Leong 2017, "Edge N-level sparse
-    /// visibility graphs: fast optimal any-angle pathfinding using hierarchical taut paths").
+    /// Finds all tangents between obstacles beforehand. Preparation then takes up to about twelve times as long, and 128 bytes a
+    /// tangent. The longest queries, around much of a large map, take a fifth to a thirtieth of the time; short ones may take
+    /// longer. Lengths are the same but for rounding (after Oh and Leong 2017, "Edge N-level sparse visibility graphs: fast optimal
+    /// any-angle pathfinding using hierarchical taut paths").
     ///
-    /// Large and open worlds stay as they are, to bound time and memory: those whose corners see more than 8 million triangles of
-    /// the mesh, where each counts for every corner that sees it. [`tangents`](Self::tangents) tells.
+    /// To bound time and memory, a world with more than 500,000 tangents, or so open that its corners see more than 16 million
+    /// triangles of the mesh and arcs in them, counted for every corner, stays as it is; then [`tangents`](Self::tangents) is
+    /// `None`.
     pub fn for_many_queries(self) -> Self {
         Self { prepared: self.prepared.with_tangents() }
     }
 
-    /// The number of tangents that are known beforehand, each counted in both directions; `None` if each query looks for its own.
+    /// The number of tangents that are known beforehand; `None` if each query looks for its own.
     pub fn tangents(&self) -> Option<usize> {
         self.prepared.known()
     }

@@ -67,7 +67,7 @@ enum Node {
     /// A root leaves its arc in a part of it: the number of the part in the order of the turn.
     Departure { root: u32, number: u32 },
     /// A known tangent from a root to an arc.
-    Known { root: u32, way: u32 },
+    Way { root: u32, way: u32 },
     /// A tangent from a root to the goal.
     Goal { root: u32, segment: Segment, left_at: f64 },
 }
@@ -131,7 +131,7 @@ impl<'a> Search<'a> {
                     self.arrive(source, arc, turn, segment, angles);
                 }
                 Node::Departure { root, number } => self.depart(root, number),
-                Node::Known { root, way } => {
+                Node::Way { root, way } => {
                     let known = self.known.expect("a known tangent");
                     self.arrive_by(known, root, way);
                 }
@@ -289,15 +289,12 @@ impl<'a> Search<'a> {
             let &Way { left_at, to: End { arc, turn, angle, point }, length, .. } = known.way(number);
             let length = self.length_at(root, left_at) + length;
             if !self.is_needless(arc, turn, angle, length) {
-                self.push(length + (self.goal - point).norm(), Node::Known { root, way: number });
+                self.push(length + (self.goal - point).norm(), Node::Way { root, way: number });
             }
         }
-        let on = &self.sight.arcs.arcs[arc as usize];
-        if let Some(&Touch { tangent: Tangent { segment, angles: [_, left_at] }, .. }) = known.to_goal(arc, turn) {
-            let [first, then] = [angle, left_at].map(|angle| turn.sign() * on.after(angle));
-            if on.is_whole() || first <= then + ROUNDED {
-                self.push_goal(root, Segment::new(segment.b, segment.a), left_at);
-            }
+        let to_goal = known.to_goal(self.sight.arcs, arc, turn, angle);
+        if let Some(&Tangent { segment, angles: [_, left_at] }) = to_goal {
+            self.push_goal(root, Segment::new(segment.b, segment.a), left_at);
         }
     }
 

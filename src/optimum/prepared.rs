@@ -10,7 +10,7 @@ use super::route::Route;
 use super::sight::Sight;
 use super::tangents::{Known, Tangents};
 use crate::error::Error;
-use crate::geometry::{Aabb, Point};
+use crate::geometry::{Aabb, Point, Segment};
 use crate::scenario::World;
 
 /// The world of a disc, prepared for the shortest paths between any two positions.
@@ -39,7 +39,7 @@ impl Prepared {
         self
     }
 
-    /// The number of known tangents, in both directions.
+    /// The number of known tangents.
     pub fn known(&self) -> Option<usize> {
         self.tangents.as_ref().map(Tangents::len)
     }
@@ -61,6 +61,10 @@ impl Prepared {
         self.grown.check(ends)?;
         if ends[0] == ends[1] {
             return Ok(Some(Route { length: 0.0, ends, bends: Vec::new() }));
+        }
+        let straight = Segment::new(ends[0], ends[1]);
+        if self.grown.is_free(&straight) {
+            return Ok(Some(Route { length: (ends[1] - ends[0]).norm(), ends, bends: Vec::new() }));
         }
         let triangles = ends.map(|p| self.mesh.locate(p, 0));
         if !self.ends.are_joined(triangles) {

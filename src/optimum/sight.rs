@@ -86,18 +86,30 @@ impl<'a> Sight<'a> {
     }
 
     /// Calls a function with each tangent from a source in a triangle to an arc, with some of them twice; not all are free.
-    /// Returns the number of triangles that are seen.
-    pub fn touch_all(&self, source: &Source, triangle: u32, only: Option<&Rays>, found: &mut dyn FnMut(Touch)) -> u64 {
-        let mut seen = 1;
+    ///
+    /// Takes one of `most` for each triangle that is seen, and for each part of an arc in it; `None` if they do not suffice.
+    pub fn touch_all(
+        &self,
+        source: &Source,
+        triangle: u32,
+        only: Option<&Rays>,
+        most: &mut u64,
+        found: &mut dyn FnMut(Touch),
+    ) -> Option<()> {
+        let mut pay = |triangle: u32| {
+            *most = most.checked_sub(1 + self.arcs.parts_in(triangle).len() as u64)?;
+            Some(())
+        };
+        pay(triangle)?;
         self.touch(source, triangle, only, found);
         let sides = self.mesh.sides(triangle).into_iter();
         let mut open: Vec<(Side, Rays)> = sides.filter_map(|side| self.outward(source, side, only)).collect();
         while let Some((side, rays)) = open.pop() {
-            seen += 1;
+            pay(side.triangle())?;
             self.touch(source, side.triangle(), Some(&rays), found);
             open.extend(self.onward(source, side, &rays).into_iter().flatten());
         }
-        seen
+        Some(())
     }
 }
 

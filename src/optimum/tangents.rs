@@ -14,11 +14,18 @@ use crate::geometry::{Point, sort_numbers};
 /// By how much a tangent may leave an arc before another one reaches it, in radians: what covers rounding.
 const SLACK: f64 = 1e-9;
 
-/// Triangles at most that all arcs together see, each from every arc: they take some seconds.
-const MOST_SEEN: u64 = 8_000_000;
+/// The most triangles, and parts of arcs in them, that all arcs may see together; each counts once for each part of an arc that
+/// sees it, and for each turn. They take some seconds.
+const MOST_SEEN: u64 = 16_000_000;
 
-/// The parts of arcs that are looked at beforehand.
+/// The most tangents: they take 64 megabytes, and twice that while they are sorted.
+const MOST_TANGENTS: usize = 500_000;
+
+/// The parts of arcs that are sampled beforehand.
 const SAMPLED: usize = 64;
+
+/// No number.
+const NONE: u32 = u32::MAX;
 
 /// Where a tangent reaches an arc, or leaves it, and how the path turns there.
 #[derive(Debug, Clone, Copy)]
@@ -41,9 +48,6 @@ impl End {
     }
 }
 
-/// No number.
-const NONE: u32 = u32::MAX;
-
 /// A tangent, in the direction in which a path leaves one arc for another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Way {
@@ -54,7 +58,7 @@ pub(super) struct Way {
     pub length: f64,
     /// The same in the other direction.
     twin: u32,
-    /// Does another tangent go on from its end, another one from there, and so on for ever?
+    /// Whether a path can go on from its end by tangents for ever.
     is_endless: bool,
 }
 
@@ -79,42 +83,44 @@ impl Useful {
 }
 
 impl Tangents {
-    /// Finds them; `None` if that would take more than [`MOST_SEEN`]. O(n s) for n arcs, from each of which s triangles are seen.
+    /// Finds them; `None` if they are more than [`MOST_TANGENTS`], or if the arcs see more than [`MOST_SEEN`]. O(n s) for n arcs,
+    /// from each of which s triangles are seen.
     pub fn new(sight: &Sight<'_>, grown: &Grown) -> Option<Self> {
         let arcs = sight.arcs;
-        // Of some parts it is found out what they see, to know whether all see too much.
+        // Sample some parts to estimate what all of them see.
         let step = arcs.parts.len().div_ceil(SAMPLED).max(1);
         let mut most = MOST_SEEN / step as u64;
         for part in arcs.parts.iter().step_by(step) {
-            most = most.checked_sub(see(sight, part, &mut |_, _| ()))?;
+            see(sight, part, &mut most, &mut |_, _| ())?;
         }
+        let mut most = MOST_SEEN;
         let (mut slots, mut ways) = (Vec::new(), Vec::new());
-        // The arc from which each other one was reached last, for both turns of both: some are reached twice.
+        // For both turns there and here, the arc from which each other one was reached last: some are reached twice.
         let mut last_from = vec![NONE; 4 * arcs.arcs.len()];
         for part in &arcs.parts {
-            see(
-                sight,
-                part,
-                &mut |leaving, Touch { arc, turn, tangent: Tangent { segment, angles: [first, last] } }| {
-                    let known = &mut last_from[(2 * slot(arc, turn) + u32::from(leaving == Turn::Right)) as usize];
-                    // Of both directions that from the lower number.
-                    if arc <= part.arc || std::mem::replace(known, part.arc) == part.arc || !grown.is_free(&segment) {
-                        return;
-                    }
-                    let from = End { arc: part.arc, turn: leaving, angle: first, point: segment.a };
-                    let to = End { arc, turn, angle: last, point: segment.b };
-                    let length = (segment.b - segment.a).norm();
-                    // Both directions, one after the other.
-                    for [from, to] in [[from, to], [to.reversed(), from.reversed()]] {
-                        let (twin, place) = (ways.len() as u32 ^ 1, from.place(arcs));
-                        slots.push(slot(from.arc, from.turn));
-                        ways.push(Way { left_at: from.angle, place, to, length, twin, is_endless: true });
-                    }
-                },
-            );
+            see(sight, part, &mut most, &mut |leaving, Touch { arc, turn, tangent }| {
+                let known = &mut last_from[(2 * slot(arc, turn) + u32::from(leaving == Turn::Right)) as usize];
+                let Tangent { segment, angles: [first, last] } = tangent;
+                // Each tangent is found from both arcs; that from the lower number is kept.
+                if arc <= part.arc || std::mem::replace(known, part.arc) == part.arc || !grown.is_free(&segment) {
+                    return;
+                }
+                let from = End { arc: part.arc, turn: leaving, angle: first, point: segment.a };
+                let to = End { arc, turn, angle: last, point: segment.b };
+                let length = (segment.b - segment.a).norm();
+                // Both directions, one after the other.
+                for [from, to] in [[from, to], [to.reversed(), from.reversed()]] {
+                    let (twin, place) = (ways.len() as u32 ^ 1, from.place(arcs));
+                    slots.push(slot(from.arc, from.turn));
+                    ways.push(Way { left_at: from.angle, place, to, length, twin, is_endless: true });
+                }
+            })?;
+            if ways.len() > 2 * MOST_TANGENTS {
+                return None;
+            }
         }
         let mut tangents = Self::sorted(&slots, &ways, 2 * arcs.arcs.len());
-        tangents.end_dead_ends(arcs);
+        tangents.mark_finite(arcs);
         Some(tangents)
     }
 
@@ -122,8 +128,7 @@ impl Tangents {
     fn sorted(slots: &[u32], ways: &[Way], count: usize) -> Self {
         let mut order: Vec<u32> = (0..ways.len() as u32).collect();
         sort_numbers(&mut order, &|i, j| {
-            let [(i, a), (j, b)] = [i, j].map(|i| (slots[i], ways[i].place));
-            i.cmp(&j).then(a.total_cmp(&b))
+            slots[i].cmp(&slots[j]).then(ways[i].place.total_cmp(&ways[j].place)).then(i.cmp(&j))
         });
         let mut number = vec![0; ways.len()];
         order.iter().enumerate().for_each(|(new, &old)| number[old as usize] = new as u32);
@@ -134,9 +139,9 @@ impl Tangents {
         Self { first, ways: order.into_iter().map(moved).collect() }
     }
 
-    /// Finds the tangents from which no other one goes on for ever. O(n) for n tangents.
-    fn end_dead_ends(&mut self, arcs: &Arcs) {
-        // Of those that leave an arc with a turn, the first ones whose other direction has ended, and after the last endless one.
+    /// Marks the tangents after which no path can go on for ever. O(n) for n tangents.
+    fn mark_finite(&mut self, arcs: &Arcs) {
+        // For each arc and turn: `from` is the first way whose twin is not marked yet, `to` is one past the last endless way.
         let (mut from, mut to) = (self.first.clone(), self.first[1..].to_vec());
         let mut open: Vec<u32> = (0..to.len() as u32).collect();
         while let Some(at) = open.pop() {
@@ -174,35 +179,40 @@ impl Tangents {
         first + before as u32..last
     }
 
-    /// The number of all, in both directions.
+    /// The number of tangents.
     pub fn len(&self) -> usize {
-        self.ways.len()
+        self.ways.len() / 2
     }
 
     fn way(&self, number: u32) -> &Way {
         &self.ways[number as usize]
     }
 
-    /// Those that are not endless, but lead to a goal, given what it sees. O(found).
+    /// Those that are not endless, but lead to a goal, given what it sees. O(n) for n tangents that lead there.
     fn useful(&self, arcs: &Arcs, seen: &[Touch]) -> Useful {
         let mut useful = Useful(vec![0; self.ways.len().div_ceil(64)]);
+        // The ways from an arc with a turn that have not been looked at end here.
+        let mut end = self.first[1..].to_vec();
         let mut open: Vec<(u32, Turn, f64)> =
             seen.iter().map(|touch| (touch.arc, touch.turn, touch.tangent.angles[1])).collect();
         while let Some((arc, turn, angle)) = open.pop() {
+            let end = &mut end[slot(arc, turn) as usize];
+            let start = self.numbers(arcs, arc, turn, angle).start;
             // From the goal to where the path comes from.
-            for number in self.numbers(arcs, arc, turn, angle) {
+            for number in start..*end {
                 let back = self.way(number);
-                if !self.way(back.twin).is_endless && !useful.has(back.twin) {
+                if !self.way(back.twin).is_endless {
                     useful.add(back.twin);
                     open.push((back.to.arc, back.to.turn, back.to.angle));
                 }
             }
+            *end = start.min(*end);
         }
         useful
     }
 }
 
-/// Known tangents, and what of them a path to a goal takes.
+/// Known tangents, and which of them a path to one goal may take.
 pub(super) struct Known<'a> {
     tangents: &'a Tangents,
     useful: Useful,
@@ -215,16 +225,21 @@ impl<'a> Known<'a> {
     /// For a goal in a triangle.
     pub fn new(tangents: &'a Tangents, sight: &Sight<'_>, goal: Point, triangle: u32) -> Self {
         let mut seen: Vec<Touch> = Vec::new();
-        sight.touch_all(&Source::at(goal), triangle, None, &mut |touch| seen.push(touch));
+        let mut unlimited = u64::MAX;
+        sight.touch_all(&Source::at(goal), triangle, None, &mut unlimited, &mut |touch| seen.push(touch));
         let mut numbers = vec![NONE; 2 * sight.arcs.arcs.len()];
         let number = |(i, touch): (usize, &Touch)| numbers[slot(touch.arc, touch.turn) as usize] = i as u32;
         seen.iter().enumerate().for_each(number);
         Self { tangents, useful: tangents.useful(sight.arcs, &seen), seen, numbers }
     }
 
-    /// The tangent to the goal from an arc that is left with a turn, from the goal.
-    pub fn to_goal(&self, arc: u32, turn: Turn) -> Option<&Touch> {
-        self.seen.get(self.numbers[slot(arc, turn.reversed()) as usize] as usize)
+    /// The tangent from an arc to the goal, as seen from the goal, if the arc is left with a turn from an angle on.
+    pub fn to_goal(&self, arcs: &Arcs, arc: u32, turn: Turn, angle: f64) -> Option<&Tangent> {
+        let number = self.numbers[slot(arc, turn.reversed()) as usize];
+        let Touch { tangent, .. } = self.seen.get(number as usize)?;
+        let on = &arcs.arcs[arc as usize];
+        let [first, last] = [angle, tangent.angles[1]].map(|angle| turn.sign() * on.after(angle));
+        (on.is_whole() || first <= last + SLACK).then_some(tangent)
     }
 
     /// The tangents that leave an arc with a turn, from an angle on, and that a path may take.
@@ -240,16 +255,16 @@ impl<'a> Known<'a> {
     }
 }
 
-/// Calls a function with each tangent from a part of an arc and the turn there. Returns the number of triangles that are seen.
-fn see(sight: &Sight<'_>, part: &Part, found: &mut dyn FnMut(Turn, Touch)) -> u64 {
+/// Calls a function with each tangent from a part of an arc and the turn there. See [`Sight::touch_all`].
+fn see(sight: &Sight<'_>, part: &Part, most: &mut u64, found: &mut dyn FnMut(Turn, Touch)) -> Option<()> {
     let from = sight.arcs.arcs[part.arc as usize].from;
     let circle = *sight.arcs.circle(part.arc);
-    let of = |turn: Turn| {
+    for turn in Turn::BOTH {
         let source = Source { root: 0, circle, turn, point: circle.at(from + part.from), length: 0.0 };
         let rays = Rays::from_arc(turn, [from + part.from, from + part.to]);
-        sight.touch_all(&source, part.triangle, Some(&rays), &mut |touch| found(turn, touch))
-    };
-    Turn::BOTH.map(of).iter().sum()
+        sight.touch_all(&source, part.triangle, Some(&rays), most, &mut |touch| found(turn, touch))?;
+    }
+    Some(())
 }
 
 /// The number of an arc and a turn.

@@ -213,8 +213,8 @@ impl ShortestPaths {
 
     /// Finds all tangents between obstacles beforehand. Preparation then takes up to about twelve times as long, and 128 bytes a
     /// tangent. The longest queries, around much of a large map, take a fifth to a thirtieth of the time; short ones may take
-    /// longer. Lengths are the same but for rounding (after Oh and Leong 2017, "Edge N-level sparse visibility graphs: fast optimal
-    /// any-angle pathfinding using hierarchical taut paths").
+    /// longer. Lengths are the same but for rounding (after Oh and Leong 2017, "Edge N-level sparse visibility graphs: fast
+    /// optimal any-angle pathfinding using hierarchical taut paths").
     ///
     /// To bound time and memory, a world with more than 500,000 tangents, or so open that its corners see more than 16 million
     /// triangles of the mesh and arcs in them, counted for every corner, stays as it is; then [`tangents`](Self::tangents) is

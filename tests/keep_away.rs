@@ -2,6 +2,7 @@
 
 use crate::common::documents::{disc, disc_among, judged, rectangle, refuses};
 use crate::common::{assert_valid, begin_with, cases, finish, options, requests};
+use planarium::PlanningWorld;
 use planarium::path::PathCost;
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
@@ -200,6 +201,31 @@ fn a_straight_motion_past_something_is_no_cheapest_path() {
     for (planner, settings, _) in PLANNERS {
         let (_, cost) = cost(&world, planner, settings).expect("a path");
         assert!(cost < 0.8 * straight, "{planner}: {cost} of {straight}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn saved_and_reopened_roadmaps_are_searched_by_cost() {
+    let world = world(&[rectangle([4.0, 2.0], [6.0, 8.0])], [[1.0, 5.0], [9.0, 5.0]]);
+    let weighted = format!("clearance_weight={WEIGHT} clearance_within={WITHIN}");
+    for planner in ["prm", "lazy-prm"] {
+        let (run, expected) = cost(&world, planner, "samples=400").expect("a path");
+        let plain = finish(begin_with(&world, planner, 1, "samples=400"));
+        // The weight does not change what is saved.
+        let saved = plain.roadmap().expect("a roadmap");
+        let resumed = requests::resume(&world, &options(planner, 1, &weighted), &saved).expect("it fits");
+        let mut all = vec![finish(resumed)];
+        if planner == "lazy-prm" {
+            all.push(finish(run.reopen(&PlanningWorld::new(world.clone())).expect("the same world")));
+        }
+        for again in all {
+            assert_valid(&world, &*again);
+            let cost = again.result().cost.expect("a cost besides the length").value;
+            assert!((cost - expected).abs() < 1e-9, "{planner}: {cost}, {expected} before");
+        }
+        let resumed = requests::resume(&world, &options(planner, 1, ""), &run.roadmap().expect("a roadmap"));
+        let short = finish(resumed.expect("it fits"));
+        assert!(short.result().cost.is_none() && (short.length() - plain.length()).abs() < 1e-9, "{planner}");
     }
 }
 

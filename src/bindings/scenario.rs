@@ -188,7 +188,7 @@ impl Scenario {
 
     /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this world and robot: all of it
     /// is proven again, start and goal of the query are connected to it, and it is searched. It does not grow. Options are those
-    /// of the search and of the path; `algorithm` is the planner that built it, and may be omitted.
+    /// of the search and of the path, `clearanceWeight` among them; `algorithm` is the planner that built it, and may be omitted.
     /// @throws {PlanariumError} `other-scenario` if it belongs to another world or robot; `invalid-roadmap` if it is damaged or
     /// not free; `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {

@@ -6,7 +6,7 @@ use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
-use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
+use crate::planner::{EdgeCheck, Grows, Improving, KeepingAway, Limits, PlannerOptions, Searching};
 use crate::random::check_seed;
 use crate::robot::Car;
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint, fingerprint_of_space};
@@ -190,7 +190,8 @@ pub(super) fn settings(
     planner.updated(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
-    let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
+    let is_free =
+        |name: &str| Searching::has(name) || Improving::has(name) || KeepingAway::has(name) || Limits::has(name);
     for (name, value) in given {
         let is_known = planner.has(name);
         match stored.iter().find(|(other, _)| is_known && other == name) {

@@ -243,7 +243,7 @@ export type ExperimentAxis = (number | string | boolean)[] | { from: number; to:
 export type ExperimentSeeds = number[] | { from: number; count: number };
 
 /** A measured number of a trial: a column of rows, or a time. */
-export type Measure = "iterations" | "vertices" | "edges" | "waypoints" | "length" | "chord_length" | "configuration_checks" | "rejected_samples" | "goal_samples" | "motion_checks"
+export type Measure = "iterations" | "vertices" | "edges" | "waypoints" | "length" | "cost" | "chord_length" | "configuration_checks" | "rejected_samples" | "goal_samples" | "motion_checks"
   | "unchecked_edges" | "nearest_queries" | "visited" | "reopened" | "clearance_evaluations" | "unproven_motions" | "work" | "build_seconds" | "search_seconds";
 
 /** A row by column. */

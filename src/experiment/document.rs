@@ -164,6 +164,8 @@ pub enum Measure {
     Waypoints,
     /// The length of the path, as results state it: metres of a disc or a car, radians of an arm, both weighted of a body.
     Length,
+    /// Where `clearance_weight` is above 0, what was minimised: the length, and what nearness to obstacles adds.
+    Cost,
     /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it.
     ChordLength,
     /// Configurations tested for collision.

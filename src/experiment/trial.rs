@@ -244,10 +244,13 @@ impl Measure {
     fn of(self, result: &ResultDocument) -> Value {
         let stats = &result.stats;
         let count = match self {
-            Measure::Waypoints | Measure::Length | Measure::ChordLength if result.status != Status::Solved => {
+            Measure::Waypoints | Measure::Length | Measure::Cost | Measure::ChordLength
+                if result.status != Status::Solved =>
+            {
                 return Value::Null;
             }
             Measure::Length => return result.length.into(),
+            Measure::Cost => return result.cost.as_ref().map(|cost| cost.value).into(),
             Measure::ChordLength => return result.chord_length.into(),
             Measure::BuildSeconds => return stats.build_seconds.into(),
             Measure::SearchSeconds => return stats.search_seconds.into(),

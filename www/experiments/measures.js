@@ -27,6 +27,7 @@ const TITLES = {
   edges: ["edges", ""],
   waypoints: ["waypoints of the path", ""],
   length: ["path length", ""],
+  cost: ["path cost", ""],
   chord_length: ["weighted length by chords", ""],
   rejected_samples: ["samples in collision", ""],
   goal_samples: ["samples at the goal", ""],
@@ -44,20 +45,20 @@ const TITLES = {
 };
 
 /** Measures of a path, not of work. */
-export const OF_PATHS = ["length", "chord_length", "waypoints"];
+export const OF_PATHS = ["length", "cost", "chord_length", "waypoints"];
 /** The measures of documents that say none. */
 export const USUAL = ["length", "iterations", "clearance_evaluations"];
 
 /** @param {string} id @param {string} lengthUnit  of paths; empty where they are costs @returns {MeasureInfo} */
 export function measureInfo(id, lengthUnit) {
   const [title, unit] = TITLES[id] ?? [id, ""];
-  return { id, title, unit: id === "length" ? lengthUnit : unit };
+  return { id, title, unit: id === "length" || id === "cost" ? lengthUnit : unit };
 }
 
 /** A measure with its article left out, as the subject of a sentence in the singular. @param {string} id */
 export function nounOf(id) {
   const { title } = measureInfo(id, "");
-  return ["length", "chord_length", "work"].includes(id) || id.endsWith("_seconds") ? title : `number of ${title}`;
+  return ["length", "cost", "chord_length", "work"].includes(id) || id.endsWith("_seconds") ? title : `number of ${title}`;
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */

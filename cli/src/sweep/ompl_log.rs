@@ -19,7 +19,7 @@ const TIMEOUT: usize = 4;
 const EXACT: usize = 6;
 
 /// The properties of runs that are columns of rows: OMPL's name and type, and the column.
-const COLUMNS: [(&str, &str); 21] = [
+const COLUMNS: [(&str, &str); 22] = [
     ("world TEXT", "world"),
     ("world seed INTEGER", "world_seed"),
     ("query TEXT", "query"),
@@ -29,6 +29,7 @@ const COLUMNS: [(&str, &str); 21] = [
     ("graph motions INTEGER", "edges"),
     ("path waypoints INTEGER", "waypoints"),
     ("solution length REAL", "length"),
+    ("solution cost REAL", "cost"),
     ("chord length REAL", "chord_length"),
     ("configuration checks INTEGER", "configuration_checks"),
     ("rejected samples INTEGER", "rejected_samples"),

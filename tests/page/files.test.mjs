@@ -120,7 +120,8 @@ test("scenes and files", (t) =>
             assert.ok(Math.max(...left.map((box) => box.right)) <= Math.min(...right.map((box) => box.left)));
             assert.ok(sheets.every(({ width, height }) => width > 300 && Math.abs(width - height) < 1));
           }
-          assert.equal(await page.locator("#printed-link svg").count(), 1);
+          // The link is made once the page has been at rest for a while.
+          await page.waitForSelector("#printed-link svg", { state: "attached" });
           // A link that is too long for a code.
           await pickFile(page, "rings.json", textOf("rings"));
           await page.waitForSelector("body[data-scene=file]");

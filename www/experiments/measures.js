@@ -58,7 +58,9 @@ export function measureInfo(id, lengthUnit) {
 /** A measure with its article left out, as the subject of a sentence in the singular. @param {string} id */
 export function nounOf(id) {
   const { title } = measureInfo(id, "");
-  return ["length", "cost", "chord_length", "work"].includes(id) || id.endsWith("_seconds") ? title : `number of ${title}`;
+  return ["length", "cost", "chord_length", "work"].includes(id) || id.endsWith("_seconds")
+    ? title
+    : `number of ${title}`;
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */

@@ -52,9 +52,10 @@ export { PlanariumError } from "./error.js";
 /**
  * Options of `prepare` alone.
  * @typedef {object} ManyQueries
- * @property {boolean} [manyQueries]  whether all tangents between obstacles are found beforehand. Preparation then takes up to about twelve times as long; the longest
- *   queries take a fifth to a thirtieth of the time on large maps, short ones may take longer. A map that is too large and
- *   too open stays as it is; then `tangents` of what is prepared is null. Default: false
+ * @property {boolean} [manyQueries]  whether all tangents between obstacles are found beforehand. Preparation then takes
+ *   up to about twelve times as long; the longest queries take a fifth to a thirtieth of the time on large maps, short
+ *   ones may take longer. A map that is too large and too open stays as it is; then `tangents` of what is prepared is
+ *   null. Default: false
  */
 
 /**

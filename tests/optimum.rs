@@ -456,8 +456,7 @@ fn what_has_no_optimum_is_refused() {
     // A point that is free by an exact test, but nearer than rounding.
     let beside = disc_among(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");
-    let paths = ShortestPaths::new(disc_among(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.5, [[1.0; 2], [9.0; 2]]))
-        .unwrap_or_else(|error| panic!("{error}"));
+    let paths = prepared(&disc_among(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.5, [[1.0; 2], [9.0; 2]]));
     refuses(paths.query([5.0; 2], [9.0; 2]), "start-in-collision", "/start");
     refuses(paths.query([1.0; 2], [9.6, 9.0]), "goal-in-collision", "/goal");
     refuses(paths.query([1.0; 2], [f64::NAN, 9.0]), "not-finite", "/goal");

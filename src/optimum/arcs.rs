@@ -1,6 +1,6 @@
 //! The free arcs of the circles, and the triangles of a navigation mesh that each passes through.
 
-use super::circles::{Circle, angle_of, turn_left, turned};
+use super::circles::{Circle, Turn, angle_of, turn_left, turned};
 use super::grown::Grown;
 use super::mesh::Mesh;
 use crate::geometry::{Disc, Segment, Vector, sort_stably};
@@ -37,6 +37,11 @@ impl Arc {
     pub fn after(&self, angle: f64) -> f64 {
         let after = turn_left(self.from, angle);
         if !self.is_whole() && after > 0.5 * (self.span + TAU) { after - TAU } else { after }
+    }
+
+    /// How far along the arc an angle is, in the direction of a turn.
+    pub fn place(&self, turn: Turn, angle: f64) -> f64 {
+        turn.sign() * self.after(angle)
     }
 }
 

@@ -35,6 +35,11 @@ pub(super) struct Circle {
 }
 
 impl Circle {
+    /// A start or a goal.
+    pub fn point(center: Point) -> Self {
+        Self { disc: Disc { center, radius: 0.0 }, normals: None }
+    }
+
     /// The point at an angle.
     pub fn at(&self, angle: f64) -> Point {
         at(&self.disc, angle)

@@ -13,8 +13,8 @@
 //!
 //! As bounds are never above the length and tangents are exact, the first path that reaches the goal is the shortest.
 //!
-//! Where the tangents between arcs are known beforehand (`tangents.rs`), only the rays of the start are pushed, and those of the
-//! goal to find the tangents that reach it.
+//! Where the tangents between arcs are known beforehand (`tangents.rs`), the search propagates the rays of the start alone. The
+//! rays of the goal find the tangents that reach it.
 
 use super::arcs::{Arc, Part};
 use super::circles::{Circle, Tangent, Turn, tangent, turn_left, turned};
@@ -24,7 +24,7 @@ use super::rays::{Rays, Source};
 use super::route::{Bend, Route};
 use super::sight::{Sight, Touch, is_among};
 use super::tangents::{End, Known, Way};
-use crate::geometry::{Disc, Point, Segment, Vector};
+use crate::geometry::{Point, Segment, Vector};
 use crate::graph::Ordered;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -208,8 +208,7 @@ impl<'a> Search<'a> {
     fn look(&mut self, source: u32, triangle: u32, rays: Option<&Rays>) {
         let from = self.sources[source as usize];
         if triangle == self.goal_in {
-            let goal = Circle { disc: Disc { center: self.goal, radius: 0.0 }, normals: None };
-            let found = tangent([&from.circle, &goal], [from.turn, Turn::Left]);
+            let found = tangent([&from.circle, &Circle::point(self.goal)], [from.turn, Turn::Left]);
             if let Some(Tangent { segment, angles: [left_at, _] }) = found.filter(|found| is_among(rays, found)) {
                 self.push_goal(from.root, segment, left_at);
             }
@@ -246,8 +245,7 @@ impl<'a> Search<'a> {
         let next = |root: &Root| Some(root.other).filter(|&root| root != START).map(|root| self.roots[root as usize]);
         let first = Some(latest).filter(|&root| root != START).map(|root| self.roots[root as usize]);
         std::iter::successors(first, next).any(|before| {
-            let [first, then] = [before.angle, angle].map(|angle| on.after(angle));
-            let is_ahead = on.is_whole() || if turn == Turn::Left { first <= then } else { then <= first };
+            let is_ahead = on.is_whole() || on.place(turn, before.angle) <= on.place(turn, angle);
             is_ahead && before.length + self.along(arc, turn, before.angle, angle) <= length
         })
     }

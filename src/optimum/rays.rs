@@ -53,8 +53,7 @@ pub(super) struct Source {
 impl Source {
     /// A point from which a path begins.
     pub fn at(point: Point) -> Self {
-        let circle = Circle { disc: Disc { center: point, radius: 0.0 }, normals: None };
-        Self { root: 0, circle, turn: Turn::Left, point, length: 0.0 }
+        Self { root: 0, circle: Circle::point(point), turn: Turn::Left, point, length: 0.0 }
     }
 
     /// The signed distance of the circle's centre to the left of its rays.

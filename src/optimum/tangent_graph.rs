@@ -47,8 +47,7 @@ const GOAL: usize = 1;
 
 impl TangentGraph {
     fn new(grown: &Grown, start: Point, goal: Point) -> Result<Self, Error> {
-        let point = |center| Circle { disc: Disc { center, radius: 0.0 }, normals: None };
-        let mut circles = vec![point(start), point(goal)];
+        let mut circles = vec![Circle::point(start), Circle::point(goal)];
         circles.extend(grown.circles());
         let count = circles.len() - 2;
         if count > MOST {

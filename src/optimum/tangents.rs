@@ -44,7 +44,7 @@ impl End {
 
     /// How far along its arc it is, in the direction of the turn.
     fn place(&self, arcs: &Arcs) -> f64 {
-        self.turn.sign() * arcs.arcs[self.arc as usize].after(self.angle)
+        arcs.arcs[self.arc as usize].place(self.turn, self.angle)
     }
 }
 
@@ -58,7 +58,7 @@ pub(super) struct Way {
     pub length: f64,
     /// The same in the other direction.
     twin: u32,
-    /// Whether a path can go on from its end by tangents for ever.
+    /// Whether a path can continue from its end along tangents without limit.
     is_endless: bool,
 }
 
@@ -139,7 +139,7 @@ impl Tangents {
         Self { first, ways: order.into_iter().map(moved).collect() }
     }
 
-    /// Marks the tangents after which no path can go on for ever. O(n) for n tangents.
+    /// Marks the tangents from which no path can continue without limit. O(n) for n tangents.
     fn mark_finite(&mut self, arcs: &Arcs) {
         // For each arc and turn: `from` is the first way whose twin is not marked yet, `to` is one past the last endless way.
         let (mut from, mut to) = (self.first.clone(), self.first[1..].to_vec());
@@ -174,7 +174,7 @@ impl Tangents {
         if on.is_whole() {
             return first..last;
         }
-        let place = turn.sign() * on.after(angle) - SLACK;
+        let place = on.place(turn, angle) - SLACK;
         let before = self.ways[first as usize..last as usize].partition_point(|way| way.place < place);
         first + before as u32..last
     }
@@ -191,7 +191,7 @@ impl Tangents {
     /// Those that are not endless, but lead to a goal, given what it sees. O(n) for n tangents that lead there.
     fn useful(&self, arcs: &Arcs, seen: &[Touch]) -> Useful {
         let mut useful = Useful(vec![0; self.ways.len().div_ceil(64)]);
-        // The ways from an arc with a turn that have not been looked at end here.
+        // For each arc and turn, the ways before this one have not been visited.
         let mut end = self.first[1..].to_vec();
         let mut open: Vec<(u32, Turn, f64)> =
             seen.iter().map(|touch| (touch.arc, touch.turn, touch.tangent.angles[1])).collect();
@@ -238,8 +238,8 @@ impl<'a> Known<'a> {
         let number = self.numbers[slot(arc, turn.reversed()) as usize];
         let Touch { tangent, .. } = self.seen.get(number as usize)?;
         let on = &arcs.arcs[arc as usize];
-        let [first, last] = [angle, tangent.angles[1]].map(|angle| turn.sign() * on.after(angle));
-        (on.is_whole() || first <= last + SLACK).then_some(tangent)
+        let is_ahead = on.is_whole() || on.place(turn, angle) <= on.place(turn, tangent.angles[1]) + SLACK;
+        is_ahead.then_some(tangent)
     }
 
     /// The tangents that leave an arc with a turn, from an angle on, and that a path may take.

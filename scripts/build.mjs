@@ -138,6 +138,9 @@ export declare function writePathFile(numbers: Float64Array, isTimed: boolean, d
 const dist = join(root, "dist");
 const types = join(dist, "types", "planarium");
 
+/** Where cargo unpacks crates: a folder for each registry. */
+const REGISTRIES = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
+
 /**
  * Hot functions are marked `#[inline]`; with this threshold level 2 is as small as level "s", and plans a seventh
  * faster.
@@ -149,6 +152,8 @@ export async function buildPackage() {
   await ensureNodeModules();
   await ensureWasmTarget();
   requireOneBindgen();
+  // The flags of the compiler name the folders of registries: if these came later, all would be compiled again.
+  if (!existsSync(REGISTRIES)) await run("cargo", ["fetch", "--locked", "--target", "wasm32-unknown-unknown"]);
   // Linking takes one processor, and most of the time.
   const modules = await Promise.all(CORES.map(compileCrate));
   for (const [i, core] of CORES.entries()) await makeGlue(core, modules[i]);
@@ -177,10 +182,11 @@ function glueOf({ name }) {
 /** @param {Core} core @returns {Promise<string>} path of the compiled module */
 async function compileCrate({ crate, profile, build: [command, ...options] }) {
   // The module must not contain paths of this machine: those of the toolchain and of crates are shortened.
-  const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
   // Each registry has a folder, whose name is that of its host.
-  const registries = existsSync(crates) ? readdirSync(crates).map((name) => [join(crates, name), "crates"]) : [];
+  const registries = existsSync(REGISTRIES)
+    ? readdirSync(REGISTRIES).map((name) => [join(REGISTRIES, name), "crates"])
+    : [];
   const cut = [...registries, [toolchain, "rust"], [root, "planarium"]];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   // Joined to those of .cargo/config.toml, which the variable RUSTFLAGS would replace.

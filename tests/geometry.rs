@@ -127,6 +127,11 @@ fn the_sweep_finds_a_crossing_if_a_test_of_every_pair_does_and_the_pair_that_it_
         let (found, expected) = (Polygon::new(&corners), distinct.len() > 2 && is_simple_by_pairs(&distinct));
         assert_eq!(found.is_ok(), expected, "{corners:?}");
         simple += u32::from(expected);
+        if let Ok(polygon) = &found {
+            let (v, n) = (polygon.vertices(), polygon.vertices().len());
+            let turns_left = |i: usize| exact_orientation(v[i], v[(i + 1) % n], v[(i + 2) % n]) >= 0;
+            assert_eq!(polygon.is_convex(), (0..n).all(turns_left), "{corners:?}");
+        }
         if let Err(PolygonFault::SelfCrossing(i, j)) = found {
             let edge = |i: usize| {
                 let next = (1..n).map(|k| corners[(i + k) % n]).find(|&next| next != corners[i]);

@@ -2,7 +2,7 @@
 
 use super::box_tree::Node;
 use super::chain::Chain;
-use super::crossing::find_crossing;
+use super::crossing::{find_crossing, left_to_right};
 use super::{Aabb, Point, Segment, Vector, orientation};
 use serde::Serialize;
 
@@ -55,7 +55,7 @@ impl Polygon {
     /// The [`PolygonFault`] if the points do not bound a simple polygon. Decided exactly.
     ///
     /// # Complexity
-    /// O(n log n) predicates for n points.
+    /// O(n log n) predicates for n points, O(n) if it is convex.
     pub fn new(points: &[Point]) -> Result<Self, PolygonFault> {
         if let Some(i) = points.iter().position(|&p| !is_exact(p)) {
             return Err(PolygonFault::Magnitude(i));
@@ -79,13 +79,13 @@ impl Polygon {
         if (2..n).all(|i| orientation(vertices[0], vertices[1], vertices[i]) == 0.0) {
             return Err(PolygonFault::ZeroArea);
         }
-        if let Some((i, j)) = find_crossing(&vertices) {
+        let convex = is_convex(&vertices);
+        if !convex && let Some((i, j)) = find_crossing(&vertices) {
             return Err(PolygonFault::SelfCrossing(distinct[i], distinct[j]));
         }
         if !is_counter_clockwise(&vertices) {
             vertices.reverse();
         }
-        let convex = (0..n).all(|i| orientation(vertices[i], vertices[(i + 1) % n], vertices[(i + 2) % n]) >= 0.0);
         Ok(Self::of(vertices, convex))
     }
 
@@ -169,6 +169,26 @@ impl Polygon {
 /// Whether orientations of points with such coordinates are exact.
 pub(super) fn is_exact(p: Point) -> bool {
     [p.x, p.y].iter().all(|&x| x == 0.0 || (MIN_MAGNITUDE..=MAX_MAGNITUDE).contains(&x.abs()))
+}
+
+/// Whether the closed chain bounds a convex polygon, in either direction: it turns to one side only, nowhere back, and goes
+/// round once, since it has one leftmost and one rightmost corner. Neighbouring points must differ. Exact, O(n).
+fn is_convex(vertices: &[Point]) -> bool {
+    let n = vertices.len();
+    let (mut left, mut right, mut extremes) = (false, false, 0);
+    for i in 0..n {
+        let (before, at, after) = (vertices[(i + n - 1) % n], vertices[i], vertices[(i + 1) % n]);
+        let turn = orientation(before, at, after);
+        left |= turn > 0.0;
+        right |= turn < 0.0;
+        if left_to_right(before, at) != left_to_right(at, after) {
+            extremes += 1;
+            if turn == 0.0 {
+                return false;
+            }
+        }
+    }
+    extremes == 2 && left != right
 }
 
 /// The direction of a simple polygon, read exactly at its lowest, then leftmost corner.

@@ -108,7 +108,7 @@ impl Segment {
         Aabb::of(self.a, self.b)
     }
 
-    /// The unit normal to the right; the ends must differ. Scaled first: the squares of a very short segment would
+    /// The unit normal to the right; not a number if the ends are equal. Scaled first: the squares of a very short segment would
     /// underflow, and its normal would not be of unit length.
     pub(crate) fn normal(&self) -> Vector {
         let along = self.b - self.a;

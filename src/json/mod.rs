@@ -28,3 +28,11 @@ pub(crate) fn push_field(pointer: &mut String, name: &str) {
     pointer.push('/');
     pointer.push_str(&name.replace('~', "~0").replace('/', "~1"));
 }
+
+/// Puts the name of a field before a JSON pointer, escaped: an error gets its pointer on its way out, so that values without
+/// one cost nothing.
+pub(crate) fn put_before(pointer: &mut String, name: &str) {
+    let mut field = String::new();
+    push_field(&mut field, name);
+    pointer.insert_str(0, &field);
+}

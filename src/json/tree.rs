@@ -1,6 +1,6 @@
 //! Reading a tree of JSON values, from text or from another source.
 
-use super::{MAX_DEPTH, MAX_TEXT, push_field};
+use super::{MAX_DEPTH, MAX_TEXT, put_before};
 use crate::error::{Code, Error, quoted};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::map::Entry;
@@ -68,13 +68,13 @@ pub(crate) struct Unread<E> {
 /// Reads a tree from any self-describing source.
 pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> Result<Value, Unread<D::Error>> {
     let (mut pointer, mut refusal) = (String::new(), None);
-    let tree = Tree { pointer: &mut pointer, refusal: &mut refusal, depth: 0, index: None }.deserialize(source);
+    let tree = source.deserialize_any(Tree { pointer: &mut pointer, refusal: &mut refusal, depth: 0, index: None });
     tree.map_err(|source| Unread { refusal, pointer, source })
 }
 
 /// Reads one value.
 struct Tree<'a> {
-    /// The pointer of the value; it stays if the value is wrong.
+    /// Where the wrong value is, seen from this one.
     pointer: &'a mut String,
     /// What is refused here: sources turn an error into one of theirs, which has no code.
     refusal: &'a mut Option<(Code, String)>,
@@ -111,10 +111,12 @@ impl<'de> DeserializeSeed<'de> for Tree<'_> {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'de>>(self, source: D) -> Result<Value, D::Error> {
-        if let Some(index) = self.index {
-            push_field(self.pointer, &index.to_string());
-        }
-        source.deserialize_any(self)
+        let Tree { pointer, refusal, depth, index } = self;
+        source.deserialize_any(Tree { pointer, refusal, depth, index }).inspect_err(|_| {
+            if let Some(index) = index {
+                put_before(pointer, &index.to_string());
+            }
+        })
     }
 }
 
@@ -149,28 +151,28 @@ impl<'de> Visitor<'de> for Tree<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(mut self, mut source: A) -> Result<Value, A::Error> {
-        let (depth, length, mut items) = (self.deeper()?, self.pointer.len(), Vec::new());
+        let (depth, mut items) = (self.deeper()?, Vec::new());
         while let Some(item) = source.next_element_seed(self.inner(depth, Some(items.len())))? {
             items.push(item);
-            self.pointer.truncate(length);
         }
         Ok(Value::Array(items))
     }
 
     fn visit_map<A: MapAccess<'de>>(mut self, mut source: A) -> Result<Value, A::Error> {
-        let (depth, length, mut fields) = (self.deeper()?, self.pointer.len(), Map::new());
+        let (depth, mut fields) = (self.deeper()?, Map::new());
         while let Some(name) = source.next_key::<String>()? {
-            push_field(self.pointer, &name);
             match fields.entry(name) {
                 Entry::Vacant(place) => {
-                    place.insert(source.next_value_seed(self.inner(depth, None))?);
+                    let value = source.next_value_seed(self.inner(depth, None));
+                    let value = value.inspect_err(|_| put_before(self.pointer, place.key()))?;
+                    place.insert(value);
                 }
                 Entry::Occupied(other) => {
+                    put_before(self.pointer, other.key());
                     let sentence = format!("the field {} occurs twice in one object", quoted(other.key()));
                     return Err(self.refuse(Code::DuplicateField, sentence));
                 }
             }
-            self.pointer.truncate(length);
         }
         Ok(Value::Object(fields))
     }

@@ -1,6 +1,6 @@
 //! Reading a tree as a type that derives `Deserialize`, with our codes and pointers if it does not fit.
 
-use super::push_field;
+use super::{push_field, put_before};
 use crate::error::{Code, Error, Number, quoted};
 use serde::de::value::{BorrowedStrDeserializer, StrDeserializer};
 use serde::de::{
@@ -81,10 +81,7 @@ impl Fault {
     /// The same error, seen from the array or object around it.
     #[cold]
     fn under(mut self: Box<Self>, name: &str) -> Box<Self> {
-        let mut pointer = String::new();
-        push_field(&mut pointer, name);
-        pointer.push_str(&self.pointer);
-        self.pointer = pointer;
+        put_before(&mut self.pointer, name);
         self
     }
 

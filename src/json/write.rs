@@ -1,6 +1,6 @@
 //! Values as JSON text in one normal form.
 
-use super::push_field;
+use super::put_before;
 use crate::error::{Code, Error};
 use serde::Serialize;
 use serde_json::Value;
@@ -39,17 +39,16 @@ pub(crate) fn finite_tree<T: Serialize + ?Sized>(value: &T) -> Result<Value, Err
 
 /// The pointer of the first null in a tree.
 fn first_null(tree: &Value) -> Option<String> {
-    let below = |name: &str, part: &Value| {
-        first_null(part).map(|rest| {
-            let mut pointer = String::new();
-            push_field(&mut pointer, name);
-            pointer + &rest
-        })
+    let below = |name: &str, mut rest: String| {
+        put_before(&mut rest, name);
+        rest
     };
     match tree {
         Value::Null => Some(String::new()),
-        Value::Array(parts) => parts.iter().enumerate().find_map(|(i, part)| below(&i.to_string(), part)),
-        Value::Object(parts) => parts.iter().find_map(|(name, part)| below(name, part)),
+        Value::Array(parts) => {
+            parts.iter().enumerate().find_map(|(i, part)| Some(below(&i.to_string(), first_null(part)?)))
+        }
+        Value::Object(parts) => parts.iter().find_map(|(name, part)| Some(below(name, first_null(part)?))),
         Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
     }
 }

@@ -9,7 +9,7 @@ use crate::options::{Coordinates, Options};
 use crate::raster::add_grid;
 use crate::report::{FileRead, Format};
 use crate::ros::{Metadata, is_metadata};
-use crate::text::without_mark;
+use crate::text::{is_object, without_mark};
 use crate::{File, MAX_BYTES, MAX_FILES, dxf, geojson, movingai, npy, ompl, rmf, svg, wkt};
 
 /// What a file is.
@@ -109,17 +109,21 @@ const KNOWN: &str = "maps of ROS (YAML with PGM, PNG or BMP), MovingAI maps, 0-1
 pub fn is_world(bytes: &[u8]) -> bool {
     let bytes = without_mark(bytes);
     by_first_bytes(bytes).is_some()
-        || std::str::from_utf8(bytes)
-            .is_ok_and(|text| !text.trim_start().starts_with('{') && (is_metadata(text) || rmf::is_building(text)))
-        || Table::read(bytes).is_ok_and(|table| table.format(&Options::default()).is_some())
+        || !is_object(bytes)
+            && (std::str::from_utf8(bytes).is_ok_and(|text| is_metadata(text) || rmf::is_building(text))
+                || Table::read(bytes).is_ok_and(|table| table.format(&Options::default()).is_some()))
 }
 
 fn by_first_bytes(bytes: &[u8]) -> Option<Kind> {
+    // JSON is often one long line: other formats would read all of it.
+    if is_object(bytes) {
+        return geojson::is_geojson(bytes).then_some(Kind::GeoJson);
+    }
     if let Some(picture) = Picture::of(bytes) {
         return Some(Kind::Picture(picture));
     }
     type IsKind = fn(&[u8]) -> bool;
-    let kinds: [(IsKind, Kind); 10] = [
+    let kinds: [(IsKind, Kind); 9] = [
         (|bytes| bytes.starts_with(npy::MAGIC), Kind::Npy),
         (movingai::is_map, Kind::MovingAiMap),
         (movingai::is_scenarios, Kind::MovingAiScenarios),
@@ -127,7 +131,6 @@ fn by_first_bytes(bytes: &[u8]) -> Option<Kind> {
         (ompl::is_circles, Kind::OmplCircles),
         (ompl::is_queries, Kind::OmplQueries),
         (wkt::is_wkt, Kind::Wkt),
-        (geojson::is_geojson, Kind::GeoJson),
         (svg::is_svg, Kind::Svg),
         (dxf::is_dxf, Kind::Dxf),
     ];

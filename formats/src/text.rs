@@ -8,6 +8,11 @@ pub fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(MARK).unwrap_or(bytes)
 }
 
+/// Whether bytes begin like a JSON object.
+pub fn is_object(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"{")
+}
+
 /// The lines of a file with their numbers, from 1, without their ends.
 pub struct Lines<'a> {
     rest: Option<&'a [u8]>,

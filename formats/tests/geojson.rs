@@ -224,6 +224,9 @@ fn what_is_no_geojson_is_refused_with_its_place() {
     refuse(r#"{"type": "FeatureCollection", "features": []}"#, Code::InvalidFile);
     refuse(r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null}]}"#, Code::InvalidFile);
     refuse(r#"{"type": "Topology", "objects": {}}"#, Code::UnknownWorld);
+    refuse(r#"{"type": "FeatureCollection", "features": [], "type": "FeatureCollection"}"#, Code::InvalidFile);
+    refuse(r#"{"format": "another", "type": "FeatureCollection", "features": []}"#, Code::UnknownWorld);
+    refuse(r#"["Point", null]"#, Code::UnknownWorld);
     let deep = format!(r#"{{"type": "Polygon", "coordinates": {}{}}}"#, "[".repeat(100_000), "]".repeat(100_000));
     assert!(refuse(&deep, Code::InvalidFile).message().contains("recursion"));
     let points = vec!["[1, 2]"; 1_000_001].join(",");

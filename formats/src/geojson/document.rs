@@ -67,7 +67,20 @@ pub enum Coordinates {
 pub struct Head {
     #[serde(rename = "type")]
     pub kind: Option<String>,
-    pub format: Option<IgnoredAny>,
+    #[serde(rename = "format")]
+    _format: Option<OtherFormat>,
+}
+
+/// The field `format` of another document. Reading it is an error, so that nothing more is read.
+struct OtherFormat;
+
+/// How that error begins.
+pub const OTHER_FORMAT: &str = "this has a format";
+
+impl<'de> Deserialize<'de> for OtherFormat {
+    fn deserialize<D: Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
+        Err(de::Error::custom(OTHER_FORMAT))
+    }
 }
 
 impl Object {

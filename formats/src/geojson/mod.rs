@@ -5,12 +5,13 @@
 
 pub mod document;
 
-use self::document::{Coordinates, Crs, Head, Object};
+use self::document::{Coordinates, Crs, Head, OTHER_FORMAT, Object};
 use crate::draft::Draft;
 use crate::error::{Code, FormatError, Place, quoted};
 use crate::options::{Filter, Options};
 use crate::plane::{self, Said};
 use crate::report::Format;
+use crate::text::is_object;
 use crate::vector::{Drawing, FillRule, Form};
 use planarium::geometry::Point;
 use planarium::scenario::MAX_VERTICES;
@@ -59,14 +60,14 @@ const GEOMETRIES: [&str; 7] =
 
 /// Whether a document is GeoJSON: by its type, or, if it is no JSON, by the name of a collection at its beginning.
 pub fn is_geojson(bytes: &[u8]) -> bool {
-    if !bytes.trim_ascii_start().starts_with(b"{") {
+    if !is_object(bytes) {
         return false;
     }
     match serde_json::from_slice::<Head>(bytes) {
-        Ok(Head { kind: Some(kind), format: None }) => {
-            kind == "FeatureCollection" || kind == "Feature" || GEOMETRIES.contains(&&*kind)
-        }
-        Ok(_) => false,
+        Ok(head) => head
+            .kind
+            .is_some_and(|kind| kind == "FeatureCollection" || kind == "Feature" || GEOMETRIES.contains(&&*kind)),
+        Err(error) if error.to_string().starts_with(OTHER_FORMAT) => false,
         Err(_) => bytes[..bytes.len().min(4096)].windows(19).any(|window| window == b"\"FeatureCollection\""),
     }
 }

@@ -3,11 +3,11 @@
 use crate::common::bodies::{clearance, random_obstacle};
 use crate::common::documents::{arm, disc, polygon, rectangle, scenario};
 use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, seeds, thick_arm_and_wall};
-use planarium::collision::{ArmValidity, DiscValidity, Obstacles};
-use planarium::geometry::{Aabb, Disc, Point};
+use planarium::collision::{ArmValidity, CollisionWorld, DiscValidity, Obstacles};
+use planarium::geometry::{Aabb, Disc, Point, Segment};
 use planarium::problem::{Sampled, Samples, Touched, Validity};
 use planarium::random::{Random, Stream};
-use planarium::robot::{Arm, Joint, MAX_LINKS, joint_space, plane};
+use planarium::robot::{Arm, DiscRobot, Joint, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
 use planarium::scenario::generate::{ForestOptions, Generator};
 use planarium::scenario::{Obstacle, Robot, Scenario, World};
@@ -341,6 +341,51 @@ fn contact_with_an_obstacle_is_collision_and_contact_with_the_bounds_is_not() {
     assert!(!validity.is_motion_free(&[1.0, 1.5], &[1.75, 1.5]), "driving up to contact");
     let contacts = validity.contacts(&[2.5, 1.5]);
     assert_eq!(contacts.iter().map(ToString::to_string).collect::<Vec<_>>(), ["part 0 touches obstacle 0"]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_long_motion_of_a_disc_is_free_exactly_if_every_obstacle_is_farther_than_its_radius() {
+    const SIDE: f64 = 100.0;
+    let mut random = Random::new(23, Stream::Samples);
+    let (mut apart, mut met) = (0, 0);
+    for count in [1, 9, 60, 65, 300].repeat(seeds(8) as usize) {
+        let place = |random: &mut Random| Point::new(SIDE * random.uniform(), -SIDE * random.uniform());
+        let mut obstacle = || {
+            let center = place(&mut random);
+            random_obstacle(&mut random, center, SIDE / f64::from(count))
+        };
+        let obstacles: Vec<Obstacle> = (0..count).map(|_| obstacle()).collect();
+        let world = CollisionWorld::from(&World::new(None, obstacles.clone()));
+        let is_free = |radius: f64, Segment { a, b }: &Segment| {
+            let robot = DiscRobot::new(radius).expect("a disc");
+            DiscValidity::new(&robot, world.clone()).is_motion_free(&[a.x, a.y], &[b.x, b.y])
+        };
+        for _ in 0..20 {
+            let motion = Segment::new(place(&mut random), place(&mut random));
+            let distances = obstacles.iter().map(|obstacle| obstacle.distance_to_segment(&motion));
+            let least = distances.fold(f64::INFINITY, f64::min);
+            if least <= 0.0 {
+                assert!(!is_free(0.0, &motion), "{motion:?} meets one of {obstacles:?}");
+                met += 1;
+                continue;
+            }
+            for gap in [1e-9, 1e-3, 1.0] {
+                let fits = (least - gap).max(0.0);
+                assert!(is_free(fits, &motion), "{fits} on {motion:?} among {obstacles:?}");
+                assert!(!is_free(least + gap, &motion), "{least} + {gap} on {motion:?} among {obstacles:?}");
+            }
+            apart += 1;
+        }
+    }
+    assert!(apart > 100 && met > 100, "{apart} apart, {met} met");
+
+    let world = CollisionWorld::from(&World::new(None, [Obstacle::disc(Point::new(0.0, 1.5), 1.0)]));
+    let validity = DiscValidity::new(&DiscRobot::new(1.0).expect("a disc"), world);
+    for length in [0.0, 1e-320, 1e-170, 1e-155, 1e-150, 1e-8, 1e3, 1e8] {
+        assert!(!validity.is_motion_free(&[0.0, 0.0], &[length, 0.0]), "{length} m from the contact");
+        assert!(!validity.is_motion_free(&[-length, length], &[0.0, 0.0]), "{length} m to the contact");
+    }
+    assert!(validity.is_motion_free(&[-1e3, -1e-3 - 0.5], &[1e3, -1e-3 - 0.5]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

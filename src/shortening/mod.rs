@@ -3,6 +3,7 @@
 //! is valid at any time.
 
 mod blend;
+mod priced;
 mod reduce;
 mod shortcut;
 
@@ -11,6 +12,7 @@ pub use blend::{Blending, blend_saving};
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
 use crate::space::Space;
+use priced::Priced;
 use reduce::Reduction;
 use shortcut::{partial_shortcut, shortcut};
 
@@ -48,7 +50,7 @@ pub struct Wanted {
 /// A path that is being improved.
 #[derive(Debug, Clone)]
 pub struct Improvement<S: Space> {
-    path: Vec<S::State>,
+    path: Priced<S>,
     random: Random,
     reduction: Option<Reduction>,
     left: Wanted,
@@ -65,21 +67,22 @@ impl<S: Space> Improvement<S> {
     pub fn new(path: Vec<S::State>, wanted: Wanted, seed: u64) -> Self {
         let random = Random::new(seed, Stream::Shortcut);
         let reduction = wanted.reduce.then(|| Reduction::new(path.len()));
-        Self { path, random, reduction, left: wanted, blending: None, attempts: 0, motion_checks: 0 }
+        Self { path: Priced::new(path), random, reduction, left: wanted, blending: None, attempts: 0, motion_checks: 0 }
     }
 
     /// Whether all improvements wanted are done: a path without corners has none left.
     pub fn is_done(&self) -> bool {
-        self.path.len() < 3
+        self.path().len() < 3
             || self.reduction.as_ref().is_none_or(Reduction::is_done)
                 && self.left.shortcuts == 0
                 && self.left.partial_shortcuts == 0
                 && (self.left.blend == 0.0 || self.blending.as_ref().is_some_and(Blending::is_done))
     }
 
-    /// Makes one attempt. O(path) and as many motion checks at most.
+    /// Makes one attempt, always in the same problem. O(path) and as many motion checks at most.
     pub fn attempt(&mut self, problem: &Problem<S>) {
         self.attempts += 1;
+        self.path.price(problem);
         if let Some(reduction) = self.reduction.as_mut().filter(|reduction| !reduction.is_done()) {
             reduction.attempt(problem, &mut self.path, &mut self.motion_checks);
         } else if self.left.shortcuts > 0 {
@@ -89,7 +92,7 @@ impl<S: Space> Improvement<S> {
             self.left.partial_shortcuts -= 1;
             partial_shortcut(problem, &mut self.path, &mut self.random, &mut self.motion_checks);
         } else {
-            let blending = self.blending.get_or_insert_with(|| Blending::new(problem.space(), &self.path));
+            let blending = self.blending.get_or_insert_with(|| Blending::new(problem.space(), self.path.states()));
             blending.attempt(problem, self.left.blend, &mut self.motion_checks);
         }
     }
@@ -101,7 +104,7 @@ impl<S: Space> Improvement<S> {
 
     /// The path as it is now, with its corners.
     pub fn path(&self) -> &[S::State] {
-        &self.path
+        self.path.states()
     }
 }
 

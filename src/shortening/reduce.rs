@@ -3,6 +3,7 @@
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
 use super::is_free;
+use super::priced::Priced;
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -26,20 +27,20 @@ impl Reduction {
     }
 
     /// Tries one motion past at least one vertex: one motion check.
-    pub fn attempt<S: Space>(&mut self, problem: &Problem<S>, path: &mut Vec<S::State>, checks: &mut u64) {
-        let (a, b) = (path[self.from], path[self.to]);
-        let mut reduced = path[..=self.from].to_vec();
-        reduced.extend_from_slice(&path[self.to..]);
+    pub fn attempt<S: Space>(&mut self, problem: &Problem<S>, path: &mut Priced<S>, checks: &mut u64) {
+        let Self { from, to } = *self;
+        let (a, b) = (path.states()[from], path.states()[to]);
         // The triangle inequality holds except for rounding, and of lengths alone.
-        let is_cheaper = problem.path_cost(&reduced) <= problem.path_cost(path);
+        let is_cheaper = path.cost_with(problem.cost(&a, &b), from..to) <= path.cost();
         if is_cheaper && is_free(problem, &[a, b], checks) {
-            *path = reduced;
-            self.to = self.from + 1;
+            let reduced = [&path.states()[..=from], &path.states()[to..]].concat();
+            *path = path.changed(problem, reduced);
+            self.to = from + 1;
         } else {
             self.to -= 1;
         }
         if self.to == self.from + 1 {
-            (self.from, self.to) = (self.from + 1, path.len() - 1);
+            (self.from, self.to) = (self.from + 1, path.states().len() - 1);
         }
     }
 }

@@ -5,31 +5,27 @@
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
 use super::is_free;
+use super::priced::Priced;
 use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::{MAX_DIMENSION, Space};
 
 /// Draws two positions along the path and replaces the part between them by a straight motion, if that is cheaper and the new
 /// motions are proven free: at most three motion checks. O(path).
-pub(super) fn shortcut<S: Space>(
-    problem: &Problem<S>,
-    path: &mut Vec<S::State>,
-    random: &mut Random,
-    checks: &mut u64,
-) {
-    let space = problem.space();
-    let Some([from, to]) = two_positions(space, path, random) else { return };
-    let (before, after) = (path[from.edge], path[to.edge + 1]);
-    let detour = [&[from.state], &path[from.edge + 1..=to.edge], &[to.state]].concat();
-    if problem.cost(&from.state, &to.state) >= problem.path_cost(&detour) {
+pub(super) fn shortcut<S: Space>(problem: &Problem<S>, path: &mut Priced<S>, random: &mut Random, checks: &mut u64) {
+    let states = path.states();
+    let Some([from, to]) = two_positions(problem.space(), path, random) else { return };
+    let (before, after) = (states[from.edge], states[to.edge + 1]);
+    let ends = [problem.cost(&from.state, &states[from.edge + 1]), problem.cost(&states[to.edge], &to.state)];
+    if problem.cost(&from.state, &to.state) >= path.cost_between(ends, from.edge + 1..to.edge) {
         return;
     }
     // The pieces of the cut edges are proven again: rounding may move them by a bit off the edges.
     if !is_free(problem, &[before, from.state, to.state, after], checks) {
         return;
     }
-    let new = replaced::<S>(path, [from, to], &[]);
-    if problem.path_cost(&new) < problem.path_cost(path) {
+    let new = path.changed(problem, replaced::<S>(states, [from, to], &[]));
+    if new.cost() < path.cost() {
         *path = new;
     }
 }
@@ -38,28 +34,30 @@ pub(super) fn shortcut<S: Space>(
 /// all of its new motions are proven free: as many motion checks as there are edges between the positions. O(path).
 pub(super) fn partial_shortcut<S: Space>(
     problem: &Problem<S>,
-    path: &mut Vec<S::State>,
+    path: &mut Priced<S>,
     random: &mut Random,
     checks: &mut u64,
 ) {
-    let space = problem.space();
+    let (space, states) = (problem.space(), path.states());
     let positions = two_positions(space, path, random);
     let coordinate = random.below(space.dimension() as u64) as usize;
     let Some([from, to]) = positions else { return };
-    let detour = [&[from.state], &path[from.edge + 1..=to.edge], &[to.state]].concat();
-    let whole = super::length(space, &detour);
+    let corners = &states[from.edge + 1..=to.edge];
+    let mut lengths = vec![space.distance(&from.state, &corners[0])];
+    lengths.extend(&path.lengths()[from.edge + 1..to.edge]);
+    let whole = lengths.iter().sum::<f64>() + space.distance(&states[to.edge], &to.state);
     let mut along = 0.0;
-    let mut between = Vec::with_capacity(detour.len());
-    for pair in detour[..detour.len() - 1].windows(2) {
-        along += space.distance(&pair[0], &pair[1]);
+    let mut between = Vec::with_capacity(corners.len());
+    for (corner, length) in corners.iter().zip(lengths) {
+        along += length;
         let straight = space.interpolate(&from.state, &to.state, (along / whole).min(1.0));
-        between.push(with_coordinate(space, &pair[1], coordinate, &straight));
+        between.push(with_coordinate(space, corner, coordinate, &straight));
     }
-    let new = replaced::<S>(path, [from, to], &between);
-    if problem.path_cost(&new) >= problem.path_cost(path) {
+    let new = path.changed(problem, replaced::<S>(states, [from, to], &between));
+    if new.cost() >= path.cost() {
         return;
     }
-    let (before, after) = (path[from.edge], path[to.edge + 1]);
+    let (before, after) = (states[from.edge], states[to.edge + 1]);
     let changed = [&[before, from.state], between.as_slice(), &[to.state, after]].concat();
     if is_free(problem, &changed, checks) {
         *path = new;
@@ -83,23 +81,25 @@ struct Position<S> {
 }
 
 /// Two positions drawn uniformly along the path, in its direction; `None` if they are on the same edge.
-fn two_positions<S: Space>(space: &S, path: &[S::State], random: &mut Random) -> Option<[Position<S::State>; 2]> {
-    let total = super::length(space, path);
+fn two_positions<S: Space>(space: &S, path: &Priced<S>, random: &mut Random) -> Option<[Position<S::State>; 2]> {
+    let total = path.length();
     let [first, second] = [0, 1].map(|_| random.uniform() * total);
-    let (from, to) = (position(space, path, first.min(second))?, position(space, path, first.max(second))?);
-    (from.edge != to.edge).then_some([from, to])
+    let [from, to] = [edge_at(path, first.min(second))?, edge_at(path, first.max(second))?];
+    let position = |(edge, share): (usize, f64)| {
+        let [a, b] = [0, 1].map(|i| &path.states()[edge + i]);
+        Position { edge, state: space.interpolate(a, b, share) }
+    };
+    (from.0 != to.0).then(|| [position(from), position(to)])
 }
 
-/// The position at the given distance along the path.
-fn position<S: Space>(space: &S, path: &[S::State], along: f64) -> Option<Position<S::State>> {
+/// The edge at the given distance along the path, and the share of it up to there.
+fn edge_at<S: Space>(path: &Priced<S>, along: f64) -> Option<(usize, f64)> {
     let mut left = along;
-    for (edge, pair) in path.windows(2).enumerate() {
-        let distance = space.distance(&pair[0], &pair[1]);
-        if left <= distance && distance > 0.0 {
-            let state = space.interpolate(&pair[0], &pair[1], left / distance);
-            return Some(Position { edge, state });
+    for (edge, &length) in path.lengths().iter().enumerate() {
+        if left <= length && length > 0.0 {
+            return Some((edge, left / length));
         }
-        left -= distance;
+        left -= length;
     }
     None
 }

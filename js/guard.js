@@ -4,7 +4,7 @@
  */
 import { renamed } from "./catalogue.js";
 import { Thrown, during, functionsOf, refuseDepth, refuseWaiting } from "./callback.js";
-import { PlanariumError } from "./error.js";
+import { PlanariumError, isFromCore } from "./error.js";
 import { growth } from "./growth.js";
 import { branded, requireHandle } from "./handle.js";
 import { plain } from "./plain.js";
@@ -69,8 +69,11 @@ function guardedClass(Class, name) {
       : { value: guardedFunction(value, { key, name, spell }), writable: true };
     Object.defineProperty(prototype, key, { ...guard, configurable: true });
   }
-  for (const key of ["parse", "generate"])
-    if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), { key, spell }));
+  for (const key of ["parse", "generate"]) {
+    if (!(key in Class)) continue;
+    const make = Reflect.get(Class, key);
+    Reflect.set(Class, key, guardedFunction(key === "parse" ? asText(make) : make, { key, spell }));
+  }
   // What the core makes passes here, but for the constructors below.
   const wrap = Reflect.get(Class, "__wrap");
   if (typeof wrap === "function")
@@ -114,6 +117,43 @@ function guardedClass(Class, name) {
   });
   prototype.constructor = guard;
   return guard;
+}
+
+/** The longest text that the core reads, in characters. */
+const LONGEST_TEXT = 32 * 2 ** 20;
+
+/**
+ * The copy of a document as text, if text says the same: what is not finite is null in it, and some pages have a
+ * `toJSON` for every array.
+ * @param {unknown} document
+ */
+function textOf(document) {
+  if (typeof document !== "object" || document instanceof Error || ArrayBuffer.isView(document)) return undefined;
+  if ("toJSON" in Array.prototype) return undefined;
+  try {
+    const text = JSON.stringify(document);
+    return text.length <= LONGEST_TEXT && !text.includes("null") ? text : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/**
+ * Hands documents over as text: an object costs a call for each of its values. If the text itself is refused, the object
+ * is read, so that the error is about that.
+ * @param {Callable} parse
+ * @returns {Callable}
+ */
+function asText(parse) {
+  return function (document) {
+    const text = textOf(document);
+    try {
+      if (text !== undefined) return parse.call(this, text);
+    } catch (error) {
+      if (!isFromCore(error) || (error.code !== "invalid-json" && error.code !== "too-large")) throw error;
+    }
+    return parse.call(this, document);
+  };
 }
 
 /**

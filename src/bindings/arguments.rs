@@ -1,5 +1,6 @@
 //! Arguments from JavaScript, checked once. The package has copied them: a list of numbers is a `Float64Array`, objects and other
-//! lists hold plain values, and what could not be copied is an `Error` that says why. So nothing of the caller runs in here.
+//! lists hold plain values, a document is text where text can say it, and what could not be copied is an `Error` that says why.
+//! So nothing of the caller runs in here.
 
 use crate::error::{Code, Error, Number, quoted};
 use crate::json::{Unread, in_javascript, parse, read, read_tree};

@@ -39,6 +39,35 @@ test("numbers that JSON cannot say are refused by name, where they stand", () =>
   fails(() => Scenario.parse(JSON.stringify(arm).replace("0.8", "1e999")), "invalid-json");
 });
 
+test("an object is read as it is, whatever text can say of it", () => {
+  const other = { ...arm.queries[0], name: "other" };
+  const both = { ...arm, queries: [...arm.queries, other] };
+  const names = (/** @type {unknown} */ document) =>
+    parse(document)
+      .document()
+      .queries.map(({ name }) => name);
+  const lists = /** @type {any} */ (Array.prototype);
+  lists.toJSON = function () {
+    return Array.from(this).slice(0, 1);
+  };
+  try {
+    assert.deepEqual(names(both), [arm.queries[0].name, "other"]);
+  } finally {
+    delete lists.toJSON;
+  }
+  assert.deepEqual(names(both), [arm.queries[0].name, "other"]);
+  for (const name of ["null", "\ud800", "__proto__"]) {
+    const [given, text] = [query({ name }), JSON.stringify(query({ name }))];
+    assert.equal(names(given)[0], name === "\ud800" ? "\ufffd" : name);
+    if (name !== "\ud800") assert.equal(parse(given).fingerprint, parse(text).fingerprint);
+  }
+  let deep = {};
+  for (let i = 0; i < 200; i += 1) deep = { deep };
+  fails(() => parse({ ...arm, deep }), "invalid-json", undefined, /recursion limit exceeded$/u);
+  fails(() => parse({ ...arm, robot: { ...arm.robot, links: [1, -1] } }), "out-of-range", "/robot/links/1");
+  fails(() => parse(new Float64Array([1, 2])), "wrong-type");
+});
+
 test("what is no document at all", () => {
   const circle = /** @type {{ self?: object }} */ ({});
   circle.self = circle;

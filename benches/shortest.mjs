@@ -1,6 +1,6 @@
 /**
- * `npm run bench:shortest`: shortest paths of web maps by `planarium/shortest`, beside `recast-navigation` and
- * `@turf/shortest-path`.
+ * `npm run bench:shortest`: shortest paths of web maps by `planarium/shortest`, and paths of planners, beside
+ * `recast-navigation`, `pathfinding` and `@turf/shortest-path`.
  *
  *   --queries N    queries in each world (100)
  *   --turf N       of them for @turf/shortest-path, which prepares nothing (10); it has the small worlds alone
@@ -10,8 +10,8 @@
  * Worlds are generated, and maps of MovingAI and ROS where the variable PLANARIUM_WORLDS names their folder. All sides
  * get the same areas and queries, in metres; turf, which knows degrees alone, gets them at the equator, and no distance to
  * keep, which it does not know. Whether a path touches an obstacle is judged here, by the distance of each of its
- * segments from each side of each area, with a thousandth of the distance to spare. Preparation is in time of the
- * processor, a query the least of five. The peers are those of
+ * segments from each side of each area, with a thousandth of the distance to spare. A grid for `pathfinding` has cells of a
+ * metre, and those are free whose middle is. Preparation is in time of the processor, a query the least of five. The peers are those of
  * `benches/peers/shortest`: run `npm ci` there first.
  */
 import { existsSync, readFileSync } from "node:fs";
@@ -19,6 +19,7 @@ import { createRequire } from "node:module";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
+import { Scenario } from "planarium";
 import { readWorld } from "planarium/import";
 import { prepare } from "planarium/shortest";
 import { Problem, root, script } from "../scripts/run.mjs";
@@ -28,12 +29,19 @@ import { digits, quantile, table } from "./peers/report.mjs";
 /** @typedef {[number, number]} Position */
 /** The corners of its border, then those of its holes. @typedef {Position[][]} Area */
 /**
- * Areas that are kept at a distance; `cell` is that of recast-navigation. All in metres.
- * @typedef {{ name: string, size: Position, areas: Area[], distance: number, cell: number, isSmall: boolean }} World
+ * Areas that are kept at a distance; `cell` is that of recast-navigation. A grid consists of cells of a metre. All in
+ * metres.
+ * @typedef {{ name: string, size: Position, areas: Area[], distance: number, cell: number, isSmall: boolean, isGrid?: boolean }} World
  */
 /** @typedef {[Position, Position]} Query */
 /** @typedef {{ preparation: number, find: (query: Query) => Position[] | null, count?: number, distance?: number }} Side */
 /** @typedef {{ length: number, milliseconds: number, path: Position[] | null }} Run */
+
+/** Planners, which plan each query anew, with their options. */
+const PLANNERS = /** @type {const} */ ([
+  ["`planarium`, the default planner", {}],
+  ["`planarium`, `bit-star`", { algorithm: "bit-star" }],
+]);
 
 /** A path is judged to touch an obstacle if it is nearer than this part of the distance. */
 const KEPT = 0.999;
@@ -114,7 +122,8 @@ async function mapOf(folder, [paths, distance, cell]) {
     return /** @type {Area} */ ([one.vertices, ...(one.holes ?? [])].map(moved));
   });
   const size = /** @type {Position} */ ([bounds.max[0] - x0, bounds.max[1] - y0]);
-  return { name: `${name}, ${distance} m`, size, areas, distance, cell, isSmall: false };
+  const isGrid = paths[0].endsWith(".map");
+  return { name: `${name}, ${distance} m`, size, areas, distance, cell, isSmall: false, isGrid };
 }
 
 /** All sides of areas, in squares where they may be. */
@@ -236,6 +245,59 @@ function planarium({ areas, distance, size }, manyQueries) {
   };
 }
 
+/** The disc in a world, or the point, with queries by number. @param {World} world @param {Query[]} queries */
+function scenarioOf({ areas, distance, size, name }, queries) {
+  return Scenario.parse({
+    format: "planarium-scenario-1",
+    name,
+    world: {
+      bounds: { min: [-20, -20], max: [size[0] + 20, size[1] + 20] },
+      obstacles: areas.map(([vertices, ...holes]) => ({ type: "polygon", vertices, holes })),
+    },
+    robot: { type: "disc", radius: distance },
+    queries: queries.map(([start, goal], i) => ({ name: `${i}`, start, goal })),
+  });
+}
+
+/** @param {World} world @param {Query[]} queries @param {object} options  of the planner @returns {Side} */
+function planned(world, queries, options) {
+  const began = processor();
+  const scenario = scenarioOf(world, queries);
+  const preparation = processor() - began;
+  const find = (/** @type {Query} */ query) => {
+    const planner = scenario.planner({ query: `${queries.indexOf(query)}`, seed: 1, ...options });
+    while (planner.step(1_000_000) === "running");
+    const result = planner.result();
+    planner.free();
+    return result.status === "solved" ? /** @type {Position[]} */ (result.path) : null;
+  };
+  return { preparation, find };
+}
+
+/** A* on a grid of metres. @param {any} modules @param {World} world @returns {Side} */
+function gridded({ Grid, AStarFinder, DiagonalMovement, Heuristic }, world) {
+  const scenario = scenarioOf(world, []);
+  const range = (/** @type {number} */ count) => Array.from({ length: Math.floor(count) }, (_, i) => i);
+  const began = processor();
+  const blocked = range(world.size[1]).map((y) =>
+    range(world.size[0]).map((x) => (scenario.check([x + 0.5, y + 0.5]).free ? 0 : 1)),
+  );
+  const grid = new Grid(blocked);
+  const preparation = processor() - began;
+  const finder = new AStarFinder({
+    diagonalMovement: DiagonalMovement.OnlyWhenNoObstacles,
+    heuristic: Heuristic.octile,
+  });
+  const find = (/** @type {Query} */ [start, goal]) => {
+    const [a, b] = [start, goal].map((end) => end.map(Math.floor));
+    const cells = finder.findPath(a[0], a[1], b[0], b[1], grid.clone());
+    if (cells.length === 0) return null;
+    const middles = cells.map((/** @type {number[]} */ [x, y]) => /** @type {Position} */ ([x + 0.5, y + 0.5]));
+    return [start, ...middles.slice(1, -1), goal];
+  };
+  return { preparation, find };
+}
+
 /** @param {any} modules @param {World} world @returns {Side | null} */
 function recast({ NavMeshQuery, generateTiledNavMesh }, { areas, distance, size, cell }) {
   /** @type {number[]} */ const positions = [];
@@ -316,11 +378,15 @@ async function peers() {
   if (!existsSync(join(folder, "node_modules"))) throw new Problem(`Run \`npm ci\` in ${folder} first.`);
   const require = createRequire(join(folder, "package.json"));
   const load = (/** @type {string} */ name) => import(pathToFileURL(require.resolve(name)).href);
-  const [mesh, generators, finder] = await Promise.all(
-    ["recast-navigation", "recast-navigation/generators", "@turf/shortest-path"].map(load),
+  const [mesh, generators, finder, grids] = await Promise.all(
+    ["recast-navigation", "recast-navigation/generators", "@turf/shortest-path", "pathfinding"].map(load),
   );
   await mesh.init();
-  return { recast: { ...mesh, ...generators }, turf: finder.shortestPath ?? finder.default };
+  return {
+    recast: { ...mesh, ...generators },
+    turf: finder.shortestPath ?? finder.default,
+    grids: grids.default,
+  };
 }
 
 /** Queries between free positions that a path joins. @param {World} world @param {Judge} judge @param {Side} side @param {number} count */
@@ -382,7 +448,9 @@ await script(async () => {
     const sides = [
       ["`planarium/shortest`", ours],
       ["with `manyQueries`", planarium(world, true)],
+      ...PLANNERS.map(([name, options]) => /** @type {[string, Side]} */ ([name, planned(world, queries, options)])),
       ["`recast-navigation`", recast(modules.recast, world)],
+      ...(world.isGrid ? [/** @type {[string, Side]} */ (["`pathfinding`, A*", gridded(modules.grids, world)])] : []),
       ["`@turf/shortest-path`", world.isSmall ? turf(modules.turf, world, few) : null],
     ];
     for (const [name, side] of sides) {

@@ -31,7 +31,7 @@ impl Reduction {
         let Self { from, to } = *self;
         let (a, b) = (path.states()[from], path.states()[to]);
         // The triangle inequality holds except for rounding, and of lengths alone.
-        let is_cheaper = path.cost_with(problem.cost(&a, &b), from..to) <= path.cost();
+        let is_cheaper = path.motions().cost_with(problem.cost(&a, &b), from..to) <= path.motions().cost();
         if is_cheaper && is_free(problem, &[a, b], checks) {
             let reduced = [&path.states()[..=from], &path.states()[to..]].concat();
             *path = path.changed(problem, reduced);

@@ -17,7 +17,7 @@ pub(super) fn shortcut<S: Space>(problem: &Problem<S>, path: &mut Priced<S>, ran
     let Some([from, to]) = two_positions(problem.space(), path, random) else { return };
     let (before, after) = (states[from.edge], states[to.edge + 1]);
     let ends = [problem.cost(&from.state, &states[from.edge + 1]), problem.cost(&states[to.edge], &to.state)];
-    if problem.cost(&from.state, &to.state) >= path.cost_between(ends, from.edge + 1..to.edge) {
+    if problem.cost(&from.state, &to.state) >= path.motions().cost_between(ends, from.edge + 1..to.edge) {
         return;
     }
     // The pieces of the cut edges are proven again: rounding may move them by a bit off the edges.
@@ -25,7 +25,7 @@ pub(super) fn shortcut<S: Space>(problem: &Problem<S>, path: &mut Priced<S>, ran
         return;
     }
     let new = path.changed(problem, replaced::<S>(states, [from, to], &[]));
-    if new.cost() < path.cost() {
+    if new.motions().cost() < path.motions().cost() {
         *path = new;
     }
 }
@@ -44,7 +44,7 @@ pub(super) fn partial_shortcut<S: Space>(
     let Some([from, to]) = positions else { return };
     let corners = &states[from.edge + 1..=to.edge];
     let mut lengths = vec![space.distance(&from.state, &corners[0])];
-    lengths.extend(&path.lengths()[from.edge + 1..to.edge]);
+    lengths.extend(&path.motions().lengths()[from.edge + 1..to.edge]);
     let whole = lengths.iter().sum::<f64>() + space.distance(&states[to.edge], &to.state);
     let mut along = 0.0;
     let mut between = Vec::with_capacity(corners.len());
@@ -54,7 +54,7 @@ pub(super) fn partial_shortcut<S: Space>(
         between.push(with_coordinate(space, corner, coordinate, &straight));
     }
     let new = path.changed(problem, replaced::<S>(states, [from, to], &between));
-    if new.cost() >= path.cost() {
+    if new.motions().cost() >= path.motions().cost() {
         return;
     }
     let (before, after) = (states[from.edge], states[to.edge + 1]);
@@ -82,26 +82,14 @@ struct Position<S> {
 
 /// Two positions drawn uniformly along the path, in its direction; `None` if they are on the same edge.
 fn two_positions<S: Space>(space: &S, path: &Priced<S>, random: &mut Random) -> Option<[Position<S::State>; 2]> {
-    let total = path.length();
+    let total = path.motions().length();
     let [first, second] = [0, 1].map(|_| random.uniform() * total);
-    let [from, to] = [edge_at(path, first.min(second))?, edge_at(path, first.max(second))?];
+    let [from, to] = [path.motions().at(first.min(second))?, path.motions().at(first.max(second))?];
     let position = |(edge, share): (usize, f64)| {
         let [a, b] = [0, 1].map(|i| &path.states()[edge + i]);
         Position { edge, state: space.interpolate(a, b, share) }
     };
     (from.0 != to.0).then(|| [position(from), position(to)])
-}
-
-/// The edge at the given distance along the path, and the share of it up to there.
-fn edge_at<S: Space>(path: &Priced<S>, along: f64) -> Option<(usize, f64)> {
-    let mut left = along;
-    for (edge, &length) in path.lengths().iter().enumerate() {
-        if left <= length && length > 0.0 {
-            return Some((edge, left / length));
-        }
-        left -= length;
-    }
-    None
 }
 
 /// The path with the part between two positions replaced by other states, without repeated states.

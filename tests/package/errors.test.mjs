@@ -59,7 +59,7 @@ test("an object is read as it is, whatever text can say of it", () => {
   for (const name of ["null", "\ud800", "__proto__"]) {
     const [given, text] = [query({ name }), JSON.stringify(query({ name }))];
     assert.equal(names(given)[0], name === "\ud800" ? "\ufffd" : name);
-    if (name !== "\ud800") assert.equal(parse(given).fingerprint, parse(text).fingerprint);
+    if (name !== "\ud800") assert.deepEqual(parse(given).document(), parse(text).document());
   }
   let deep = {};
   for (let i = 0; i < 200; i += 1) deep = { deep };

@@ -10,9 +10,9 @@
  * Worlds are generated, and maps of MovingAI and ROS where the variable PLANARIUM_WORLDS names their folder. All sides
  * get the same areas and queries, in metres; turf, which knows degrees alone, gets them at the equator, and no distance to
  * keep, which it does not know. Whether a path touches an obstacle is judged here, by the distance of each of its
- * segments from each side of each area, with a thousandth of the distance to spare. A grid for `pathfinding` has cells of a
- * metre, and those are free whose middle is. Preparation is in time of the processor, a query the least of five. The peers are those of
- * `benches/peers/shortest`: run `npm ci` there first.
+ * segments from each side of each area, with a thousandth of the distance to spare. `pathfinding`
+ * gets a grid with cells of one metre; a cell is free if its centre is. Preparation is CPU time, a query the fastest of
+ * five runs. The peers are those of `benches/peers/shortest`: run `npm ci` there first.
  */
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -37,7 +37,7 @@ import { digits, quantile, table } from "./peers/report.mjs";
 /** @typedef {{ preparation: number, find: (query: Query) => Position[] | null, count?: number, distance?: number }} Side */
 /** @typedef {{ length: number, milliseconds: number, path: Position[] | null }} Run */
 
-/** Planners, which plan each query anew, with their options. */
+/** Planners with their options. They prepare nothing: each query is a run of its own. */
 const PLANNERS = /** @type {const} */ ([
   ["`planarium`, the default planner", {}],
   ["`planarium`, `bit-star`", { algorithm: "bit-star" }],

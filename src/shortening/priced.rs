@@ -1,5 +1,5 @@
-//! A path with the lengths and costs of its motions: an attempt changes a few of them, and those of a car, which are curves,
-//! take long to measure.
+//! A path with the lengths and costs of its motions. An attempt changes only a few motions, and the curves of a car are slow to
+//! measure.
 
 use crate::problem::Problem;
 use crate::space::Space;

@@ -20,7 +20,7 @@ import {
   worker,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
-import { SMALL } from "./pages.mjs";
+import { DONE, SMALL } from "./pages.mjs";
 import { encodeExperiment } from "../../www/experiments/link.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 
@@ -72,7 +72,7 @@ test("the page of experiments in one file opens from the disk, runs, and links t
       page.on("request", (request) => requests.push(request.url()));
       const fragment = await encodeExperiment({ document: SMALL, run: true });
       await page.goto(pathToFileURL(experimentsFile).href + `#${fragment}`);
-      await page.waitForSelector("body[data-phase=done][data-done='8']:not([data-chart=''])");
+      await page.waitForSelector(`${DONE}[data-drawn='8']`);
       const there = await page.evaluate(() => ({ ...document.body.dataset }));
       await page.waitForSelector("#trials tbody a[href]");
       const trial = (await page.getAttribute("#trials tbody a", "href")) ?? "";
@@ -87,7 +87,7 @@ test("the page of experiments in one file opens from the disk, runs, and links t
         requests.join(" "),
       );
       await page.goto(addressOf(url, `experiments.html#${fragment}`));
-      await page.waitForSelector("body[data-phase=done][data-done='8']:not([data-chart=''])");
+      await page.waitForSelector(`${DONE}[data-drawn='8']`);
       assert.deepEqual(await page.evaluate(() => ({ ...document.body.dataset })), there);
     },
     { path: "icon.svg", expectErrors: true },

@@ -1,6 +1,7 @@
 /** What tests of the page of experiments share. */
 import { encodeExperiment } from "../../www/experiments/link.js";
 import { download, onPage } from "./browser.mjs";
+import { DONE } from "./pages.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 /** @import { LinkedDocument } from "../../www/domain/types.js" */
@@ -30,7 +31,7 @@ export async function onExperiment(experiment, act, more = {}) {
 }
 
 /** All trials have ended, and their chart is drawn. @param {Page} page */
-export const done = (page) => page.waitForSelector("body[data-phase=done][data-settled=true]:not([data-chart=''])");
+export const done = (page) => page.waitForSelector(DONE);
 
 /** Saves a file of the page. @param {Page} page @param {string} id */
 export async function taken(page, id) {

@@ -20,6 +20,9 @@ import { atRest, choose, click, fill, finish, pickFile, unfold } from "./browser
  * @property {boolean} [isPrinted]  is it printed without its controls?
  */
 
+/** All trials of an experiment have ended, and their chart is drawn. */
+export const DONE = "body[data-phase=done][data-settled=true][data-chart]:not([data-chart=''])";
+
 /** All is computed and drawn. @param {Page} page */
 export const rest = async (page) => {
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
@@ -207,7 +210,7 @@ export const ROWS = {
       "an experiment that was run": async (page) => {
         await pickFile(page, "small.json", JSON.stringify(SMALL));
         await page.waitForSelector("body[data-phase=ready][data-count='8'][data-settled=true]");
-        await press(page, "#run", "body[data-phase=done]:not([data-chart=''])");
+        await press(page, "#run", DONE);
         await unfoldAll(page);
       },
       "success as bars": (page) => press(page, "#kinds [data-kind=success]", "body[data-chart=success]"),

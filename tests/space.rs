@@ -11,6 +11,19 @@ use wide::f32x8;
 
 const CASES: usize = 2000;
 
+#[wasm_bindgen_test(unsupported = test)]
+fn an_angle_is_wrapped_to_the_remainder_of_a_turn() {
+    let mut random = Random::new(11, Stream::Samples);
+    let drawn = (0..CASES).map(|_| 20.0 * (random.uniform() - 0.5));
+    let ends =
+        [-TAU, -PI, -0.0, 0.0, PI, TAU, 3.0 * PI].into_iter().flat_map(|end| [end.next_down(), end, end.next_up()]);
+    for angle in drawn.chain(ends) {
+        let rest = libm::remainder(angle, TAU);
+        let expected = if rest <= -PI { PI } else { rest + 0.0 };
+        assert_eq!(wrap(angle).to_bits(), expected.to_bits(), "{angle}");
+    }
+}
+
 fn mixed(metric: Metric) -> ProductSpace<4> {
     ProductSpace::new(&[Coordinate::Circle, Coordinate::Interval { low: -4.0, high: 7.5 }, Coordinate::Circle], metric)
 }

@@ -21,7 +21,6 @@ mod arm;
 mod blend;
 mod body;
 mod body_validity;
-mod boxes;
 mod car_dynamics;
 mod disc;
 mod joint_lines;

@@ -1,7 +1,6 @@
 //! The obstacles of a world, prepared for queries: boxes in front of exact shapes.
 
-use super::boxes::Boxes;
-use crate::geometry::{Aabb, Disc, Point, Polygon, Segment, Vector};
+use crate::geometry::{Aabb, Boxes, Disc, Point, Polygon, Segment, Vector};
 use crate::scenario::Obstacle;
 use std::sync::Arc;
 

@@ -3,7 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 /// The angle in (-pi, pi] that differs from the finite `angle` by whole turns. Exact for the double nearest to 2 pi. O(1).
+#[inline]
 pub fn wrap(angle: f64) -> f64 {
+    // The remainder of an angle in range is the angle.
+    if -PI < angle && angle <= PI {
+        return angle + 0.0;
+    }
     let rest = libm::remainder(angle, TAU);
     if rest <= -PI { PI } else { rest + 0.0 }
 }

@@ -8,6 +8,7 @@
 mod angle;
 mod blocks;
 mod box_tree;
+mod boxes;
 mod chain;
 mod convex_pieces;
 mod crossing;
@@ -28,6 +29,7 @@ mod wall;
 pub(crate) use angle::arc_length;
 pub use angle::{angular_distance, arc_pose, euler_pose, unwind, wrap};
 pub(crate) use box_tree::{BoxTree, LEAF};
+pub(crate) use boxes::Boxes;
 pub use convex_pieces::{convex_pieces, small_convex_pieces};
 pub use distance::{
     distance_point_segment, distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,

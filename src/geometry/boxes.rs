@@ -8,7 +8,7 @@
 //! their common box; then every eight neighbours make a group, the boxes around every eight groups the next level's
 //! groups, and so on.
 
-use crate::geometry::{Aabb, arrange};
+use super::{Aabb, arrange};
 use wide::i16x8;
 
 /// How many boxes a group holds.
@@ -31,7 +31,7 @@ const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// Boxes prepared for queries.
 #[derive(Debug, Clone)]
-pub(super) struct Boxes {
+pub(crate) struct Boxes {
     grid: Grid,
     /// All levels in sequence, that of the boxes themselves first.
     groups: Vec<Group>,

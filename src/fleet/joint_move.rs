@@ -6,11 +6,11 @@
 //! and must go; if it cannot, the first one chooses its next vertex. Motions of several robots at once are proven apart in
 //! continuous time: all take the same time, so the proof does not depend on how long that is.
 
-use super::motion::{Motion, Pair, Pose};
+use super::motion::{CLEAR, Motion, Pair, Pose};
 use super::priority_tree::{Ground, MARGIN};
 use super::result::FleetStats;
 use super::trajectory::Trajectory;
-use crate::geometry::sort_stably;
+use crate::geometry::{Aabb, sort_stably};
 use crate::random::Random;
 use std::sync::Arc;
 
@@ -120,10 +120,12 @@ impl JointMove {
             return Moved::NotYet;
         };
         let motion = motion(ground, robot, [self.at[robot], vertex]);
+        let near = around(ground, robot, &motion).grown(CLEAR * MARGIN * ground.fleet.slack());
         let mut pushed = Vec::new();
         for other in (0..self.at.len()).filter(|&other| other != robot) {
-            let to = self.to[other].unwrap_or(self.at[other]);
-            if is_apart(ground, [other, robot], [&self::motion(ground, other, [self.at[other], to]), &motion], stats) {
+            let theirs = self::motion(ground, other, [self.at[other], self.to[other].unwrap_or(self.at[other])]);
+            let is_beside = around(ground, other, &theirs).intersects(&near);
+            if !is_beside || is_apart(ground, [other, robot], [&theirs, &motion], stats) {
                 continue;
             }
             if self.to[other].is_some() {
@@ -178,6 +180,11 @@ fn motion(ground: &Ground, robot: usize, [from, to]: [u32; 2]) -> Motion {
     } else {
         Motion::new([0.0, 1.0], from_pose, pose(ground, robot, to))
     }
+}
+
+/// The box of what a robot covers in a motion, by a disc around it.
+fn around(ground: &Ground, robot: usize, motion: &Motion) -> Aabb {
+    motion.around().grown(ground.fleet.footprints()[robot].radius())
 }
 
 /// Whether the motions of two robots are proven apart.

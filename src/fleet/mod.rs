@@ -20,7 +20,8 @@
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
 //! - `options.rs`: the planners and their options; `run.rs`: a planner that is stepped; `result.rs`: the document that it ends
 //!   with;
-//! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
+//! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`) among the
+//!   motions of the others (`traffic.rs`);
 //! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and
 //!   `moves.rs`: `joint.rs` and `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
@@ -43,6 +44,7 @@ mod result;
 mod roadmap;
 mod run;
 mod safe_intervals;
+mod traffic;
 mod trajectory;
 mod turns;
 mod verify;

@@ -25,6 +25,10 @@ const BEYOND: f64 = 1e-9;
 /// An interval whose bound on relative motion is below this many slacks is refused.
 const FEWEST_SLACKS: f64 = 10.0;
 
+/// Robots are apart if there are more than this number of slacks of a planner between the boxes of what they cover: that is more
+/// than the margin of their proof, with what rounding of times can move them.
+pub(super) const CLEAR: f64 = 4.0;
+
 /// Rounding of the time t moves a robot of speed v by less than this times v t.
 const ROUNDED: f64 = 1e-15;
 
@@ -135,10 +139,12 @@ impl Motion {
     }
 
     /// The pose at a time between `begin` and `end`.
+    #[inline]
     pub fn at(&self, time: f64) -> Pose {
         let duration = self.end - self.begin;
         let part = if duration > 0.0 { ((time - self.begin) / duration).min(1.0) } else { 0.0 };
-        [0, 1, 2].map(|i| self.from[i] + part * self.delta[i])
+        let ([x, y, theta], [dx, dy, turn]) = (self.from, self.delta);
+        [x + part * dx, y + part * dy, theta + part * turn]
     }
 
     /// The box of the positions.
@@ -148,9 +154,11 @@ impl Motion {
     }
 
     /// The velocity: metres and radians per second.
+    #[inline]
     pub fn rates(&self) -> Pose {
         let duration = self.end - self.begin;
-        self.delta.map(|d| if duration > 0.0 { d / duration } else { 0.0 })
+        let [x, y, turn] = self.delta;
+        if duration > 0.0 { [x / duration, y / duration, turn / duration] } else { [0.0; 3] }
     }
 }
 
@@ -171,9 +179,10 @@ impl Pair<'_> {
     }
 
     /// The position of the second robot relative to the first.
+    #[inline]
     fn offset(&self, time: f64) -> Point {
-        let [a, b] = self.motions.map(|motion| motion.at(time));
-        Point::new(b[0] - a[0], b[1] - a[1])
+        let ([x, y, _], [other_x, other_y, _]) = (self.motions[0].at(time), self.motions[1].at(time));
+        Point::new(other_x - x, other_y - y)
     }
 
     /// The distance up to which robots are in conflict: the slack, and what rounding of times can move them.

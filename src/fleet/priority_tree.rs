@@ -9,15 +9,15 @@
 //! Robots are clear of those above them from time 0 on, so a robot moves aside, though it would rather stand, and comes back.
 
 use super::document::Fleet;
-use super::motion::{Footprint, Pair};
+use super::motion::{CLEAR, Footprint, Pair};
 use super::result::{Blocked, FleetStats};
 use super::roadmap::Roadmap;
-use super::safe_intervals::{Expansion, Scene, Search};
+use super::safe_intervals::{Expansion, Search};
+use super::traffic::Scene;
 use super::trajectory::Trajectory;
 use crate::geometry::sort_stably;
 use crate::problem::Status;
 use std::collections::BTreeMap;
-use std::convert::Infallible;
 use std::sync::Arc;
 
 /// The earliest departures graze the others: this number of slacks is left between them, a hundred-millionth of the world's size.
@@ -55,17 +55,17 @@ impl Ground<'_> {
     pub fn first_conflict(&self, pair: [usize; 2], trajectories: &[Arc<Trajectory>], checks: &mut u64) -> Option<f64> {
         let [a, b] = pair.map(|robot| &*trajectories[robot]);
         let footprints: [&Footprint; 2] = pair.map(|robot| &self.fleet.footprints()[robot]);
-        let reach = footprints[0].radius() + footprints[1].radius() + 2.0 * MARGIN * self.fleet.slack();
+        let reach = footprints[0].radius() + footprints[1].radius() + CLEAR * MARGIN * self.fleet.slack();
         if !a.around().grown(reach).intersects(b.around()) {
             return None;
         }
-        b.during(0.0, f64::INFINITY).find_map(|motion| {
-            let is_apart = |pair: &Pair| {
+        b.motions().find_map(|motion| {
+            let near = motion.around().grown(reach);
+            let mut beside = a.during(motion.begin, motion.end).filter(|other| other.around().intersects(&near));
+            let met = beside.find(|other| {
                 *checks += 1;
-                Ok::<_, Infallible>(pair.is_apart())
-            };
-            let Ok(met) = a.first_in_conflict(footprints, &motion, self.fleet.slack(), is_apart);
-            let met = met?;
+                !Pair { footprints, motions: [other, &motion], slack: self.fleet.slack() }.is_apart()
+            })?;
             Some(met.begin.max(motion.begin))
         })
     }

@@ -7,14 +7,12 @@
 //! the earliest time at which its motion along an edge is proven free of conflict with every motion of the others, and its stand
 //! until then as well.
 
-use super::motion::{Footprint, Motion, Pair, Pose};
-use super::roadmap::Roadmap;
+use super::motion::{Motion, Pose};
+use super::traffic::{Pause, Proofs, Scene, Traffic};
 use super::trajectory::Trajectory;
-use crate::geometry::sort_stably;
 use crate::graph::Ordered;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
-use std::sync::Arc;
 
 /// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances
 /// cost more the closer they pass.
@@ -22,121 +20,6 @@ const HALVINGS: [u32; 2] = [30, 10];
 
 /// The most motions of others that one departure waits for.
 const MOST_WAITS: u32 = 256;
-
-/// After this many comparisons of edges, and of boxes around edges, an iteration begins no further proof: its expansion
-/// goes on in the next one. Among discs it never happens in practice.
-const MOST_WORK: u64 = 1 << 17;
-
-/// What a robot plans among.
-#[derive(Clone, Copy)]
-pub(super) struct Scene<'a> {
-    /// The robot that plans.
-    pub robot: usize,
-    pub speed: f64,
-    pub roadmap: &'a Roadmap,
-    /// Of every robot, this one included.
-    pub footprints: &'a [Footprint],
-    /// Of every robot.
-    pub trajectories: &'a [Arc<Trajectory>],
-    /// The robots to keep clear of; this one does not count.
-    pub among: &'a [usize],
-    pub slack: f64,
-}
-
-/// The iteration has done its work. The next one does the same again, with the results of all proofs so far.
-struct Pause;
-
-/// The results of the proofs of a part of an expansion, in their order, so that it may be spread over several
-/// iterations.
-#[derive(Default)]
-struct Proofs {
-    results: Vec<bool>,
-    /// How many of them have been asked for in this iteration.
-    asked: usize,
-    /// The comparisons of this iteration.
-    work: u64,
-    /// Whether this iteration has added a result.
-    has_new: bool,
-    /// The proofs of motions that the robot may take, since they were last read.
-    checks: u64,
-}
-
-impl Proofs {
-    /// Whether a pair of motions is proven apart.
-    fn is_apart(&mut self, pair: &Pair, counts: bool) -> Result<bool, Pause> {
-        let at = self.asked;
-        if at == self.results.len() {
-            if self.has_new && self.work > MOST_WORK {
-                return Err(Pause);
-            }
-            self.has_new = true;
-            self.checks += u64::from(counts);
-            self.results.push(pair.is_apart_counted(&mut self.work));
-        }
-        self.asked += 1;
-        Ok(self.results[at])
-    }
-
-    /// Begins an iteration.
-    fn begin(&mut self) {
-        (self.asked, self.work, self.has_new) = (0, 0, false);
-    }
-
-    /// A part of the expansion is complete: its results are not asked for again.
-    fn complete(&mut self) {
-        self.results.clear();
-        self.asked = 0;
-    }
-}
-
-impl Scene<'_> {
-    /// The first of the others from which a motion is not proven apart, and its motion that is in the way.
-    fn first_in_conflict(&self, motion: &Motion, proofs: &mut Proofs) -> Result<Option<(usize, Motion)>, Pause> {
-        let own = &self.footprints[self.robot];
-        let near = motion.around().grown(own.radius() + 2.0 * self.slack);
-        for other in self.among.iter().copied().filter(|&other| other != self.robot) {
-            let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
-            if !trajectory.around().grown(footprint.radius()).intersects(&near) {
-                continue;
-            }
-            let is_apart = |pair: &Pair| proofs.is_apart(pair, true);
-            if let Some(found) = trajectory.first_in_conflict([footprint, own], motion, self.slack, is_apart)? {
-                return Ok(Some((other, found)));
-            }
-        }
-        Ok(None)
-    }
-
-    /// The safe intervals of a pose, in order.
-    fn safe_intervals(&self, at: Pose, proofs: &mut Proofs) -> Result<Vec<[f64; 2]>, Pause> {
-        let own = &self.footprints[self.robot];
-        let stand = Motion::standing([0.0, f64::INFINITY], at);
-        let near = stand.around().grown(own.radius() + 2.0 * self.slack);
-        let mut unsafe_intervals = Vec::new();
-        for &other in self.among {
-            let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
-            if other == self.robot || !trajectory.around().grown(footprint.radius()).intersects(&near) {
-                continue;
-            }
-            for motion in trajectory.during(0.0, f64::INFINITY) {
-                let pair = Pair { footprints: [footprint, own], motions: [&motion, &stand], slack: self.slack };
-                pair.add_conflicts(&mut unsafe_intervals, |pair| proofs.is_apart(pair, false))?;
-            }
-        }
-        sort_stably(&mut unsafe_intervals, |a, b| a[0].total_cmp(&b[0]));
-        let (mut safe, mut from) = (Vec::new(), 0.0);
-        for [begin, end] in unsafe_intervals {
-            if begin > from {
-                safe.push([from, begin]);
-            }
-            from = f64::max(from, end);
-        }
-        if from < f64::INFINITY {
-            safe.push([from, f64::INFINITY]);
-        }
-        Ok(safe)
-    }
-}
 
 /// A vertex in one of its safe intervals, with the earliest arrival so far.
 #[derive(Debug, Clone, Copy)]
@@ -190,6 +73,7 @@ pub(super) struct Search {
     intervals: Vec<Option<Vec<SafeInterval>>>,
     /// Estimated arrival at the goal and node.
     open: BinaryHeap<Reverse<(Ordered, u32)>>,
+    traffic: Traffic,
     /// Vertices, and the robots that were in the way to them.
     refused: BTreeSet<(u32, usize)>,
     /// Whether the start has been reached, if it can be.
@@ -210,6 +94,7 @@ impl Search {
             heuristic,
             nodes: Vec::new(),
             open: BinaryHeap::new(),
+            traffic: Traffic::new(scene),
             refused: BTreeSet::new(),
             has_started: false,
             begun: None,
@@ -221,7 +106,7 @@ impl Search {
     fn intervals(&mut self, scene: &Scene, vertex: u32) -> Result<&mut Vec<SafeInterval>, Pause> {
         let known = &mut self.intervals[vertex as usize];
         if known.is_none() {
-            let safe = scene.safe_intervals(scene.roadmap.pose(vertex), &mut self.proofs)?;
+            let safe = self.traffic.safe_intervals(scene, scene.roadmap.pose(vertex), &mut self.proofs)?;
             self.proofs.complete();
             *known = Some(safe.into_iter().map(|interval| (interval, None)).collect());
         }
@@ -281,7 +166,8 @@ impl Search {
         let node = self.nodes[number as usize];
         let at = scene.roadmap.pose(node.vertex);
         if node.vertex == self.goal && node.until == f64::INFINITY && !begun.is_no_end {
-            match scene.first_in_conflict(&Motion::standing([node.time, f64::INFINITY], at), &mut self.proofs)? {
+            let stand = Motion::standing([node.time, f64::INFINITY], at);
+            match self.traffic.first_in_conflict(scene, &stand, &mut self.proofs)? {
                 None => return Ok(Expansion::Found(self.trajectory(scene, number))),
                 Some((other, _)) => self.refused.insert((self.goal, other)),
             };
@@ -300,7 +186,7 @@ impl Search {
                     continue;
                 }
                 let leave = Leave { at, to: scene.roadmap.pose(next), arrived: node.time, duration };
-                match leave.first_time(scene, [earliest, latest], &mut self.proofs)? {
+                match leave.first_time(scene, &self.traffic, [earliest, latest], &mut self.proofs)? {
                     Ok(departure) => self.reach((next, i, interval), departure + duration, departure, number),
                     Err(other) => {
                         self.refused.insert((next, other));
@@ -312,7 +198,7 @@ impl Search {
             // Without safe intervals, others stand there forever.
             if count == 0 {
                 let stand = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(next));
-                if let Some((other, _)) = scene.first_in_conflict(&stand, &mut self.proofs)? {
+                if let Some((other, _)) = self.traffic.first_in_conflict(scene, &stand, &mut self.proofs)? {
                     self.refused.insert((next, other));
                 }
             }
@@ -352,14 +238,7 @@ impl Search {
             self.refused.iter().filter(|(vertex, _)| !is_reached(*vertex)).map(|(_, other)| *other).collect();
         let goal = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(self.goal));
         if is_reached(self.goal) || others.is_empty() {
-            let own = &scene.footprints[scene.robot];
-            for other in scene.among.iter().copied().filter(|other| *other != scene.robot) {
-                let (footprint, trajectory) = (&scene.footprints[other], &scene.trajectories[other]);
-                let is_apart = |pair: &Pair| self.proofs.is_apart(pair, false);
-                if trajectory.first_in_conflict([footprint, own], &goal, scene.slack, is_apart)?.is_some() {
-                    others.insert(other);
-                }
-            }
+            others.append(&mut self.traffic.in_conflict(scene, &goal, &mut self.proofs)?);
         }
         if others.is_empty() {
             others.extend(self.refused.iter().map(|(_, other)| *other));
@@ -406,31 +285,30 @@ impl Leave {
     fn first_time(
         &self,
         scene: &Scene,
+        traffic: &Traffic,
         [earliest, latest]: [f64; 2],
         proofs: &mut Proofs,
     ) -> Result<Result<f64, usize>, Pause> {
         let (mut departure, mut in_the_way) = (earliest, None);
         for _ in 0..MOST_WAITS {
-            let Some((other, motion)) = scene.first_in_conflict(&self.motion(departure), proofs)? else {
+            let Some((other, motion)) = traffic.first_in_conflict(scene, &self.motion(departure), proofs)? else {
                 let stand = Motion::standing([self.arrived, departure], self.at);
-                return Ok(match scene.first_in_conflict(&stand, proofs)? {
+                return Ok(match traffic.first_in_conflict(scene, &stand, proofs)? {
                     Some((other, _)) if departure > self.arrived => Err(other),
                     _ => Ok(departure),
                 });
             };
             in_the_way = Some(other);
-            let footprints = [&scene.footprints[other], &scene.footprints[scene.robot]];
-            let mut is_past = |departure: f64| {
-                let motions = [&motion, &self.motion(departure)];
-                proofs.is_apart(&Pair { footprints, motions, slack: scene.slack }, true)
-            };
+            let mut is_past =
+                |departure: f64| proofs.is_apart(&scene.pair(other, [&motion, &self.motion(departure)]), true);
             // Departures that conflict with one motion of a disc are an interval, so all after the first that does not are free
             // of it.
             let (mut early, mut late) = (departure, latest.min(motion.end.next_up()));
             if late <= early || late == f64::INFINITY || !is_past(late)? {
                 return Ok(Err(other));
             }
-            for _ in 0..HALVINGS[usize::from(footprints.iter().any(|footprint| footprint.is_body()))] {
+            let has_body = [other, scene.robot].iter().any(|&robot| scene.footprints[robot].is_body());
+            for _ in 0..HALVINGS[usize::from(has_body)] {
                 let middle = 0.5 * (early + late);
                 if is_past(middle)? {
                     late = middle;

@@ -1,6 +1,6 @@
 //! A trajectory: where one robot is at every time from 0 on, as rows of a time and a pose.
 
-use super::motion::{Footprint, Motion, Pair, Pose, difference};
+use super::motion::{Motion, Pose, difference};
 use crate::geometry::{Aabb, Point, wrap};
 
 /// A row for every time at which the motion changes; between two rows the robot moves at constant rates, the short way round, or
@@ -85,28 +85,16 @@ impl Trajectory {
         self.motion(self.row(time))
     }
 
+    /// All motions, in order.
+    pub(super) fn motions(&self) -> impl Iterator<Item = Motion> + '_ {
+        (0..self.times.len()).map(|row| self.motion(row))
+    }
+
     /// The motions at some time of an interval, in order.
     pub(super) fn during(&self, begin: f64, end: f64) -> impl Iterator<Item = Motion> + '_ {
         // A motion that ends as the interval begins counts.
         let first = self.times.partition_point(|row| *row < begin).max(1) - 1;
         (first..self.times.len()).take_while(move |&row| self.times[row] <= end).map(|row| self.motion(row))
-    }
-
-    /// The first of this robot's motions from which another robot's motion is not proven apart. `is_apart` proves a
-    /// pair of motions; its error ends the search.
-    pub(super) fn first_in_conflict<E>(
-        &self,
-        footprints: [&Footprint; 2],
-        motion: &Motion,
-        slack: f64,
-        mut is_apart: impl FnMut(&Pair) -> Result<bool, E>,
-    ) -> Result<Option<Motion>, E> {
-        for own in self.during(motion.begin, motion.end) {
-            if !is_apart(&Pair { footprints, motions: [&own, motion], slack })? {
-                return Ok(Some(own));
-            }
-        }
-        Ok(None)
     }
 
     /// The trajectory of these rows.

@@ -214,6 +214,23 @@ fn a_swap_in_a_corridor_is_solved_by_the_composite_and_by_default_and_by_no_orde
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn robots_in_a_line_go_on_by_one_place_from_the_first_other_order_on() {
+    let robot = |i: u32| {
+        json!({ "name": i.to_string(), "robot": { "type": "disc", "radius": 0.5 }, "start": [2 + 3 * i, 0.6],
+            "goal": [5 + 3 * i, 0.6] })
+    };
+    let fleet = Fleet::read(&json!({
+        "format": "planarium-fleet-1", "name": "line", "robots": (0..8).map(robot).collect::<Vec<_>>(),
+        "world": { "bounds": { "min": [0, 0], "max": [28, 1.2] }, "obstacles": [] }
+    }))
+    .expect("a fleet");
+    let planner = planned(&fleet, "prioritized", 1);
+    assert_eq!((planner.status(), planner.stats().restarts), (Status::Solved, 1));
+    assert_eq!(planner.order(), (0..8).rev().collect::<Vec<_>>(), "the foremost first");
+    assert_free(&planner, "a line");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn robots_that_cannot_pass_each_other_are_never_said_to() {
     let mut document = two_discs();
     document["world"] = json!({ "bounds": { "min": [0, 1], "max": [10, 2.9] }, "obstacles": [] });
@@ -221,7 +238,7 @@ fn robots_that_cannot_pass_each_other_are_never_said_to() {
     for seed in 0..5 {
         assert_eq!(planned(&fleet, "prioritized", seed).status(), Status::Exhausted);
         let composite = CompositeOptions { max_iterations: 2000, ..CompositeOptions::default() };
-        let pbs = PbsOptions { max_iterations: 60_000, ..PbsOptions::default() };
+        let pbs = PbsOptions { max_iterations: Some(60_000), ..PbsOptions::default() };
         for planner in [FleetPlannerOptions::from(composite), pbs.into()] {
             let (id, options) = (planner.id(), FleetOptions { planner: Some(planner), seed, order: None });
             let mut planner = FleetPlanner::new(&fleet, &options).expect("options");

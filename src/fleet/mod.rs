@@ -21,7 +21,7 @@
 //! - `options.rs`: the planners and their options; `run.rs`: a planner that is stepped; `result.rs`: the document that it ends
 //!   with;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`) among the
-//!   motions of the others (`traffic.rs`);
+//!   motions of the others (`traffic.rs`), and orders in which each has a way (`sequence.rs`);
 //! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and
 //!   `moves.rs`: `joint.rs` and `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
@@ -44,6 +44,7 @@ mod result;
 mod roadmap;
 mod run;
 mod safe_intervals;
+mod sequence;
 mod traffic;
 mod trajectory;
 mod turns;

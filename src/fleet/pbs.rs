@@ -25,6 +25,8 @@ use std::sync::Arc;
 
 /// How many orders of priorities are tried after the first.
 const RESTARTS: u32 = 20;
+/// After how many iterations the planner gives up, and how many more for each robot.
+const ITERATIONS: [u64; 2] = [5_000_000, 200_000];
 /// The roadmaps grow after this number of rounds: mostly they are dense enough.
 const ROUNDS: u32 = 3;
 /// How often the robots of a plan try to arrive earlier if nothing else is given and the plan is not one of priorities.
@@ -44,7 +46,14 @@ crate::options! {
     /// How many times the robots of a plan try, one after another, to arrive earlier.
     refinements: Option<u32>, in 0.0..=1000.0, "Refinements", else "0 for a plan by priorities, else 3";
     /// Number of iterations after which the planner gives up.
-    max_iterations: u64 = 5_000_000, in 1.0..=1e12, "Most iterations";
+    max_iterations: Option<u64>, in 1.0..=1e12, "Most iterations", else "5,000,000, and 200,000 more for each robot";
+}
+
+impl PbsOptions {
+    /// The number of iterations after which the planner gives up on a fleet.
+    pub(super) fn most_iterations(&self, fleet: &Fleet) -> u64 {
+        self.max_iterations.unwrap_or(ITERATIONS[0] + ITERATIONS[1] * fleet.kinds().len() as u64)
+    }
 }
 
 /// What the planner is doing.

@@ -3,8 +3,9 @@
 //! Erdmann and Lozano-Perez 1987, "On multiple moving objects". Each robot is searched for by safe intervals along the roadmap of
 //! its kind, among the trajectories of those before it and the starts of those after it, which stand there until they have
 //! planned: so every robot may leave as late as it likes. If one finds no way, the order fails, though another one might not:
-//! then the run ends, or begins again with that robot first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the
-//! performance of multi-robot prioritized path planning"). Whether a robot finds a way depends on those before it, in their
+//! then the run ends, or begins again in an order in which each has a way while the others stand (`sequence.rs`). If none is
+//! found, that robot plans first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the performance of multi-robot
+//! prioritized path planning"). Whether a robot finds a way depends on those before it, in their
 //! order, and on nothing else: an order that begins like one that has failed is not tried again.
 
 use super::document::Fleet;
@@ -12,6 +13,7 @@ use super::priority_tree::{Ground, standing};
 use super::result::{Blocked, FleetReason, FleetStats};
 use super::roadmap::Roadmap;
 use super::safe_intervals::{Expansion, Search};
+use super::sequence::{Sequence, Sequenced};
 use super::trajectory::Trajectory;
 use crate::error::Error;
 use crate::planner::{EdgeOptions, PrmOptions};
@@ -33,8 +35,8 @@ crate::options! {
     samples: Option<usize>, in 0.0..=100_000.0, "Samples", else "400, and 20 more for each robot";
     /// Each vertex is connected to its k nearest neighbours.
     k: usize = 15, in 1.0..=100.0, "Neighbours";
-    /// How many other orders are tried if one fails: the robot that finds no way plans first, or if that order has failed too,
-    /// one is drawn.
+    /// How many other orders are tried if one fails: one in which each robot has a way while the others stand; if none is
+    /// found, the robot that finds no way plans first; if that order has failed too, one is drawn.
     restarts: Option<u32>, in 0.0..=10_000.0, "Restarts", else "20, or 0 if an order is given";
     /// Number of iterations after which the planner gives up.
     max_iterations: u64 = 10_000_000, in 1.0..=1e12, "Most iterations";
@@ -119,6 +121,10 @@ pub(super) struct Orders {
     /// Of every robot: its trajectory, or its stand at the start.
     trajectories: Vec<Arc<Trajectory>>,
     search: Option<Search>,
+    /// The next order, and who found no way in the last.
+    next: Option<(Option<Sequence>, Blocked)>,
+    /// Whether there may be an order in which each robot has a way while the others stand.
+    may_be_sequence: bool,
     blocked: Option<Blocked>,
     /// The beginnings of orders whose last robot finds no way.
     failed: BTreeSet<Vec<usize>>,
@@ -137,6 +143,8 @@ impl Orders {
             planned: 0,
             trajectories: standing(fleet),
             search: None,
+            next: None,
+            may_be_sequence: true,
             blocked: None,
             failed: BTreeSet::new(),
             reason: None,
@@ -148,6 +156,25 @@ impl Orders {
 
     /// One expansion of the search of one robot.
     pub fn iterate(&mut self, ground: &Ground, stats: &mut FleetStats) -> Status {
+        if let Some((mut sequence, blocked)) = self.next.take() {
+            let sequenced = sequence.as_mut().map(|sequence| sequence.iterate(ground, &self.all, stats));
+            let order = match sequenced {
+                Some(Sequenced::NotYet) => {
+                    self.next = Some((sequence, blocked));
+                    return Status::Running;
+                }
+                Some(Sequenced::Order(order)) if !self.has_failed(&order) => Some(order),
+                other => {
+                    self.may_be_sequence &= !matches!(other, Some(Sequenced::None));
+                    self.draw()
+                }
+            };
+            let Some(order) = order else { return self.give_up(FleetReason::NoOrder, blocked) };
+            (self.order, self.planned, self.trajectories) = (order, 0, standing(ground.fleet));
+            self.restarts += 1;
+            stats.restarts += 1;
+            return Status::Running;
+        }
         let robot = self.order[self.planned];
         let scene = ground.scene(robot, &self.trajectories, &self.all);
         let search = self.search.get_or_insert_with(|| ground.search(&scene));
@@ -164,21 +191,31 @@ impl Orders {
             }
             Expansion::Nothing(by) => {
                 self.search = None;
-                self.reason = self.fail(by.is_empty());
-                if self.reason.is_some() {
-                    self.blocked = Some(Blocked { robot, by });
-                    return Status::Exhausted;
+                let reason = self.fail(by.is_empty());
+                let blocked = Blocked { robot, by };
+                if let Some(reason) = reason {
+                    return self.give_up(reason, blocked);
                 }
-                self.restarts += 1;
-                stats.restarts += 1;
-                self.planned = 0;
-                self.trajectories = standing(ground.fleet);
+                let sequence = self.may_be_sequence.then(|| Sequence::new(ground.fleet, self.blocked_first()));
+                self.next = Some((sequence, blocked));
             }
         }
         Status::Running
     }
 
-    /// Notes that the order has failed, and takes another one; if there is none to take, the reason.
+    fn give_up(&mut self, reason: FleetReason, blocked: Blocked) -> Status {
+        (self.reason, self.blocked) = (Some(reason), Some(blocked));
+        Status::Exhausted
+    }
+
+    /// The order with the robot first that found no way.
+    fn blocked_first(&self) -> Vec<usize> {
+        let mut order = self.order.clone();
+        order[..=self.planned].rotate_right(1);
+        order
+    }
+
+    /// Notes that the order has failed; if no other one is to be tried, the reason.
     fn fail(&mut self, is_alone: bool) -> Option<FleetReason> {
         let failed = self.order[..=self.planned].to_vec();
         self.failed.insert(failed);
@@ -192,36 +229,39 @@ impl Orders {
                 FleetReason::OrderLimit
             });
         }
-        let last = self.order.clone();
-        self.order[..=self.planned].rotate_right(1);
-        for _ in 0..DRAWS {
-            if !self.has_failed() {
-                return None;
-            }
-            for i in (1..self.order.len()).rev() {
-                self.order.swap(i, self.random.below(i as u64 + 1) as usize);
-            }
-        }
-        if self.have_all_failed(&mut Vec::new()) {
-            self.order = last;
-            return Some(FleetReason::NoOrder);
-        }
-        // Few orders are left: the first of them.
-        self.order.clear();
-        while self.order.len() < self.all.len() {
-            let next = self.all.iter().copied().find(|robot| {
-                let mut beginning = self.order.clone();
-                beginning.push(*robot);
-                !self.order.contains(robot) && !self.have_all_failed(&mut beginning)
-            });
-            self.order.push(next.expect("an order that has not failed"));
-        }
         None
     }
 
-    /// Whether the order begins like one that has failed.
-    fn has_failed(&self) -> bool {
-        (1..=self.order.len()).any(|count| self.failed.contains(&self.order[..count]))
+    /// Another order: with the robot first that found no way, or drawn; `None` if all have failed.
+    fn draw(&mut self) -> Option<Vec<usize>> {
+        let mut order = self.blocked_first();
+        for _ in 0..DRAWS {
+            if !self.has_failed(&order) {
+                return Some(order);
+            }
+            for i in (1..order.len()).rev() {
+                order.swap(i, self.random.below(i as u64 + 1) as usize);
+            }
+        }
+        if self.have_all_failed(&mut Vec::new()) {
+            return None;
+        }
+        // Few orders are left: the first of them.
+        order.clear();
+        while order.len() < self.all.len() {
+            let next = self.all.iter().copied().find(|robot| {
+                let mut beginning = order.clone();
+                beginning.push(*robot);
+                !order.contains(robot) && !self.have_all_failed(&mut beginning)
+            });
+            order.push(next.expect("an order that has not failed"));
+        }
+        Some(order)
+    }
+
+    /// Whether an order begins like one that has failed.
+    fn has_failed(&self, order: &[usize]) -> bool {
+        (1..=order.len()).any(|count| self.failed.contains(&order[..count]))
     }
 
     /// Whether every order that begins with these robots has failed.

@@ -78,7 +78,7 @@ impl FleetPlanner {
         planner.check()?;
         let (algorithm, most) = match &planner {
             FleetPlannerOptions::Pbs(pbs) => {
-                (Algorithm::Pbs(Box::new(Pbs::new(fleet, pbs, options.seed)?)), pbs.max_iterations)
+                (Algorithm::Pbs(Box::new(Pbs::new(fleet, pbs, options.seed)?)), pbs.most_iterations(fleet))
             }
             FleetPlannerOptions::Composite(composite) => {
                 let planner = Composite::new(fleet, composite, options.seed)?;

@@ -12,7 +12,9 @@ use std::sync::Arc;
 
 /// The iterations of a turn of a search of single robots, and as many more for each robot.
 const TURN: [u64; 2] = [5000, 1000];
-/// How many times as many iterations a joint move gets, since one takes less time.
+/// How many times as many iterations orders get, since a second one mostly gives a plan, and joint moves, since one takes less
+/// time.
+const ORDERS: u64 = 4;
 const JOINT: u64 = 8;
 
 /// One of the searches.
@@ -39,6 +41,7 @@ impl Searches {
     pub fn of_a_turn(&self, fleet: &Fleet) -> u64 {
         let single = TURN[0] + TURN[1] * fleet.kinds().len() as u64;
         match self.left.get(self.turn) {
+            Some(Search::Orders(_)) => ORDERS * single,
             Some(Search::Moves(_)) => JOINT * single,
             _ => single,
         }

@@ -170,8 +170,8 @@ impl Pbs {
         if have_grown {
             left.retain(|search| matches!(search, Search::Composite(_) | Search::Moves(_)));
             let order = (0..fleet.kinds().len()).collect();
-            left.insert(0, Search::Orders(Orders::new(fleet, order, self.seed, RESTARTS)));
-            left.insert(1, Search::Tree(PriorityTree::new(fleet)));
+            left.insert(0, Search::Orders(Box::new(Orders::new(fleet, order, self.seed, RESTARTS))));
+            left.insert(1, Search::Tree(Box::new(PriorityTree::new(fleet))));
         }
         if is_first && let Ok(composite) = Composite::new(fleet, &CompositeOptions::default(), self.seed) {
             left.push(Search::Composite(Box::new(composite)));

@@ -5,8 +5,8 @@
 //! planned: so every robot may leave as late as it likes. If one finds no way, the order fails, though another one might not:
 //! then the run ends, or begins again in an order in which each has a way while the others stand (`sequence.rs`). If none is
 //! found, that robot plans first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the performance of multi-robot
-//! prioritized path planning"). Whether a robot finds a way depends on those before it, in their
-//! order, and on nothing else: an order that begins like one that has failed is not tried again.
+//! prioritized path planning"). Whether a robot finds a way depends on those before it, in their order, and on nothing else: an
+//! order that begins like one that has failed is not tried again.
 
 use super::document::Fleet;
 use super::priority_tree::{Ground, standing};
@@ -35,7 +35,7 @@ crate::options! {
     samples: Option<usize>, in 0.0..=100_000.0, "Samples", else "400, and 20 more for each robot";
     /// Each vertex is connected to its k nearest neighbours.
     k: usize = 15, in 1.0..=100.0, "Neighbours";
-    /// How many other orders are tried if one fails: one in which each robot has a way while the others stand; if none is
+    /// How many other orders are tried if one fails: first one in which each robot has a way while the others stand; if none is
     /// found, the robot that finds no way plans first; if that order has failed too, one is drawn.
     restarts: Option<u32>, in 0.0..=10_000.0, "Restarts", else "20, or 0 if an order is given";
     /// Number of iterations after which the planner gives up.
@@ -121,10 +121,9 @@ pub(super) struct Orders {
     /// Of every robot: its trajectory, or its stand at the start.
     trajectories: Vec<Arc<Trajectory>>,
     search: Option<Search>,
-    /// The next order, and who found no way in the last.
-    next: Option<(Option<Sequence>, Blocked)>,
-    /// Whether there may be an order in which each robot has a way while the others stand.
-    may_be_sequence: bool,
+    /// The next order, after one that has failed.
+    next: Option<Sequence>,
+    /// Who found no way last.
     blocked: Option<Blocked>,
     /// The beginnings of orders whose last robot finds no way.
     failed: BTreeSet<Vec<usize>>,
@@ -144,7 +143,6 @@ impl Orders {
             trajectories: standing(fleet),
             search: None,
             next: None,
-            may_be_sequence: true,
             blocked: None,
             failed: BTreeSet::new(),
             reason: None,
@@ -156,20 +154,21 @@ impl Orders {
 
     /// One expansion of the search of one robot.
     pub fn iterate(&mut self, ground: &Ground, stats: &mut FleetStats) -> Status {
-        if let Some((mut sequence, blocked)) = self.next.take() {
-            let sequenced = sequence.as_mut().map(|sequence| sequence.iterate(ground, &self.all, stats));
-            let order = match sequenced {
-                Some(Sequenced::NotYet) => {
-                    self.next = Some((sequence, blocked));
+        if let Some(mut sequence) = self.next.take() {
+            let order = match sequence.iterate(ground, &self.all, stats) {
+                Sequenced::NotYet => {
+                    self.next = Some(sequence);
                     return Status::Running;
                 }
-                Some(Sequenced::Order(order)) if !self.has_failed(&order) => Some(order),
-                other => {
-                    self.may_be_sequence &= !matches!(other, Some(Sequenced::None));
-                    self.draw()
+                Sequenced::Order(order) if !self.has_failed(&order) => Some(order),
+                Sequenced::Order(_) | Sequenced::Stuck => self.draw(),
+                Sequenced::Never => None,
+                Sequenced::Unconnected(robot) => {
+                    self.blocked = Some(Blocked { robot, by: Vec::new() });
+                    return self.give_up(FleetReason::NotConnected);
                 }
             };
-            let Some(order) = order else { return self.give_up(FleetReason::NoOrder, blocked) };
+            let Some(order) = order else { return self.give_up(FleetReason::NoOrder) };
             (self.order, self.planned, self.trajectories) = (order, 0, standing(ground.fleet));
             self.restarts += 1;
             stats.restarts += 1;
@@ -191,20 +190,24 @@ impl Orders {
             }
             Expansion::Nothing(by) => {
                 self.search = None;
-                let reason = self.fail(by.is_empty());
-                let blocked = Blocked { robot, by };
+                let reason = self.fail(by.is_none());
+                let by = by.unwrap_or_default();
+                self.blocked = Some(Blocked { robot, by: by.clone() });
                 if let Some(reason) = reason {
-                    return self.give_up(reason, blocked);
+                    return self.give_up(reason);
                 }
-                let sequence = self.may_be_sequence.then(|| Sequence::new(ground.fleet, self.blocked_first()));
-                self.next = Some((sequence, blocked));
+                let mut sequence = Sequence::new(ground.fleet, self.blocked_first());
+                if self.planned == 0 {
+                    sequence.first_has_failed(by);
+                }
+                self.next = Some(sequence);
             }
         }
         Status::Running
     }
 
-    fn give_up(&mut self, reason: FleetReason, blocked: Blocked) -> Status {
-        (self.reason, self.blocked) = (Some(reason), Some(blocked));
+    fn give_up(&mut self, reason: FleetReason) -> Status {
+        self.reason = Some(reason);
         Status::Exhausted
     }
 

@@ -223,7 +223,7 @@ impl Work {
                     self.branch.trajectories[robot] = Arc::new(trajectory);
                     self.must.retain(|one| *one != robot);
                 }
-                Expansion::Nothing(by) => return Done::Nothing(Blocked { robot, by }),
+                Expansion::Nothing(by) => return Done::Nothing(Blocked { robot, by: by.unwrap_or_default() }),
             }
             return Done::Not;
         }

@@ -43,9 +43,9 @@ pub(super) enum Expansion {
     Part,
     /// The robot can reach its goal, and stay there.
     Found(Trajectory),
-    /// It cannot. The robots that are in the way of every way on, in order; none if there is no way on its roadmap even without
-    /// the others.
-    Nothing(Vec<usize>),
+    /// It cannot. The robots that are in the way of every way on, in order; `None` if there is no way on its roadmap even
+    /// without the others.
+    Nothing(Option<Vec<usize>>),
 }
 
 /// A node whose expansion has begun, and how far it has come.
@@ -227,23 +227,28 @@ impl Search {
         None
     }
 
-    /// Who is in the way to the vertices that were not reached, or over the goal later.
-    fn in_the_way(&mut self, scene: &Scene) -> Result<Vec<usize>, Pause> {
+    /// Who is in the way to the vertices that were not reached, or over the goal later, or at the start already; `None` if the
+    /// roadmap has no way.
+    fn in_the_way(&mut self, scene: &Scene) -> Result<Option<Vec<usize>>, Pause> {
         if self.heuristic[self.start as usize] == f64::INFINITY {
-            return Ok(Vec::new());
+            return Ok(None);
+        }
+        if self.nodes.is_empty() {
+            let at = scene.roadmap.pose(self.start);
+            return Ok(Some(self.traffic.in_conflict(scene, at, &mut self.proofs)?.into_iter().collect()));
         }
         let reached: BTreeSet<u32> = self.nodes.iter().map(|node| node.vertex).collect();
         let is_reached = |vertex: u32| reached.contains(&vertex);
         let mut others: BTreeSet<usize> =
             self.refused.iter().filter(|(vertex, _)| !is_reached(*vertex)).map(|(_, other)| *other).collect();
-        let goal = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(self.goal));
         if is_reached(self.goal) || others.is_empty() {
-            others.append(&mut self.traffic.in_conflict(scene, &goal, &mut self.proofs)?);
+            let goal = scene.roadmap.pose(self.goal);
+            others.append(&mut self.traffic.in_conflict(scene, goal, &mut self.proofs)?);
         }
         if others.is_empty() {
             others.extend(self.refused.iter().map(|(_, other)| *other));
         }
-        Ok(others.into_iter().collect())
+        Ok(Some(others.into_iter().collect()))
     }
 
     /// The trajectory to a node: along the edges, with the stands before them.

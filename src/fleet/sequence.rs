@@ -2,9 +2,8 @@
 //! their starts.
 //!
 //! Van den Berg, Snoeyink, Lin and Manocha 2009, "Centralized path planning for multiple robots: optimal decoupling into
-//! sequential plans". Planned for by priorities in such an order, each robot finds a way on the same roadmap: at the latest it
-//! leaves when all before it have arrived. The order is made from its beginning: the first of the robots that has a way comes
-//! next. So there may be such an order though none is found.
+//! sequential plans". Planned for by priorities in such an order, each robot finds a way on the same roadmap: it can wait until
+//! all before it have arrived. The order is built greedily, and nothing is taken back: one may exist although none is found.
 
 use super::document::Fleet;
 use super::priority_tree::{Ground, standing};
@@ -35,7 +34,7 @@ pub(super) struct Sequence {
     left: Vec<Left>,
     /// Where every robot stands.
     stands: Vec<Arc<Trajectory>>,
-    /// The place among those left of the robot whose search it is.
+    /// The search in progress, and the index in `left` of its robot.
     search: Option<(usize, Search)>,
 }
 
@@ -46,8 +45,10 @@ pub(super) enum Sequenced {
     Order(Vec<usize>),
     /// None of those left has a way.
     Stuck,
-    /// None of all robots has a way: there is no such order.
-    None,
+    /// No robot has a way while all others stand at their starts. So the first one of every order fails.
+    Never,
+    /// This robot's roadmap has no way even without the others.
+    Unconnected(usize),
 }
 
 impl Sequence {
@@ -55,6 +56,11 @@ impl Sequence {
     pub fn new(fleet: &Fleet, robots: Vec<usize>) -> Self {
         let left = |robot| Left { robot, tries: 0, in_the_way: Vec::new(), gone: 0 };
         Self { order: Vec::new(), left: robots.into_iter().map(left).collect(), stands: standing(fleet), search: None }
+    }
+
+    /// The first robot need not be tried before one of these has gone, which are in its way.
+    pub fn first_has_failed(&mut self, in_the_way: Vec<usize>) {
+        (self.left[0].tries, self.left[0].in_the_way) = (1, in_the_way);
     }
 
     /// Expands one node of a search among all robots.
@@ -66,7 +72,7 @@ impl Sequence {
                 let next = self.left.iter().position(Left::is_next);
                 match next.or_else(|| self.left.iter().position(|left| left.gone > 0)) {
                     Some(place) => place,
-                    None if self.order.is_empty() => return Sequenced::None,
+                    None if self.order.is_empty() => return Sequenced::Never,
                     None => return Sequenced::Stuck,
                 }
             }
@@ -89,8 +95,8 @@ impl Sequence {
                     left.gone += 1;
                 }
             }
-            Expansion::Nothing(in_the_way) if in_the_way.is_empty() => return Sequenced::None,
-            Expansion::Nothing(in_the_way) => {
+            Expansion::Nothing(None) => return Sequenced::Unconnected(robot),
+            Expansion::Nothing(Some(in_the_way)) => {
                 let left = &mut self.left[place];
                 (left.tries, left.in_the_way, left.gone) = (left.tries + 1, in_the_way, 0);
             }

@@ -145,12 +145,16 @@ impl Traffic {
         Ok(None)
     }
 
-    /// The others, in order, from which a motion is not proven apart.
-    pub fn in_conflict(&self, scene: &Scene, motion: &Motion, proofs: &mut Proofs) -> Result<BTreeSet<usize>, Pause> {
-        let mut met = BTreeSet::new();
-        for (other, theirs) in self.beside(scene, motion, proofs) {
-            if !met.contains(other) && !proofs.is_apart(&scene.pair(*other, [theirs, motion]), false)? {
+    /// The others that make a pose unsafe at some time.
+    pub fn in_conflict(&self, scene: &Scene, at: Pose, proofs: &mut Proofs) -> Result<BTreeSet<usize>, Pause> {
+        let stand = Motion::standing([0.0, f64::INFINITY], at);
+        let (mut met, mut times) = (BTreeSet::new(), Vec::new());
+        for (other, theirs) in self.beside(scene, &stand, proofs) {
+            let pair = scene.pair(*other, [theirs, &stand]);
+            pair.add_conflicts(&mut times, |pair| proofs.is_apart(pair, false))?;
+            if !times.is_empty() {
                 met.insert(*other);
+                times.clear();
             }
         }
         Ok(met)

@@ -12,15 +12,15 @@ use std::sync::Arc;
 
 /// The iterations of a turn of a search of single robots, and as many more for each robot.
 const TURN: [u64; 2] = [5000, 1000];
-/// How many times as many iterations orders get, since a second one mostly gives a plan, and joint moves, since one takes less
-/// time.
+/// How many times as many iterations orders get: a second one mostly gives a plan.
 const ORDERS: u64 = 4;
+/// How many times as many iterations joint moves get: one takes less time.
 const JOINT: u64 = 8;
 
 /// One of the searches.
 pub(super) enum Search {
-    Orders(Orders),
-    Tree(PriorityTree),
+    Orders(Box<Orders>),
+    Tree(Box<PriorityTree>),
     Composite(Box<Composite>),
     Moves(Box<Moves>),
 }

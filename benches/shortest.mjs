@@ -10,9 +10,9 @@
  * Worlds are generated, and maps of MovingAI and ROS where the variable PLANARIUM_WORLDS names their folder. All sides
  * get the same areas and queries, in metres; turf, which knows degrees alone, gets them at the equator, and no distance to
  * keep, which it does not know. Whether a path touches an obstacle is judged here, by the distance of each of its
- * segments from each side of each area, with a thousandth of the distance to spare. `pathfinding`
- * gets a grid with cells of one metre; a cell is free if its centre is. Preparation is CPU time, a query the fastest of
- * five runs. The peers are those of `benches/peers/shortest`: run `npm ci` there first.
+ * segments from each side of each area, with a thousandth of the distance to spare. `pathfinding` gets a grid with cells
+ * of one metre; a cell is free if its centre is. Preparation is CPU time, a query the fastest of five runs. Run `npm ci` in
+ * `benches/peers/shortest` first: it installs the peers.
  */
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";

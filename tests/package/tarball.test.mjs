@@ -109,7 +109,7 @@ test("the tarball holds exactly the files of the package", () => {
 
 // The aim is 400 KB gzipped for the light module, and 500 KB for the one that reads worlds; docs/benchmarks.md says why the
 // first is missed. This holds what was reached.
-test("the tarball weighs at most 2640 KB, its light module at most 671 KB gzipped, the others 1049, 575 and 114 KB", () => {
+test("the tarball weighs at most 2640 KB, its light module at most 672 KB gzipped, the others 1054, 575 and 114 KB", () => {
   assert.ok(statSync(tarball).size <= 2_640_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
     ["planarium_bg.wasm", 1_697_000, 672_000],

@@ -10,7 +10,7 @@ use super::motion::{CLEAR, Motion, Pair, Pose};
 use super::priority_tree::{Ground, MARGIN};
 use super::result::FleetStats;
 use super::trajectory::Trajectory;
-use crate::geometry::{Aabb, sort_stably};
+use crate::geometry::sort_stably;
 use crate::random::Random;
 use std::sync::Arc;
 
@@ -119,12 +119,13 @@ impl JointMove {
             }
             return Moved::NotYet;
         };
+        let footprints = ground.fleet.footprints();
         let motion = motion(ground, robot, [self.at[robot], vertex]);
-        let near = around(ground, robot, &motion).grown(CLEAR * MARGIN * ground.fleet.slack());
+        let near = motion.covered(&footprints[robot]).grown(CLEAR * MARGIN * ground.fleet.slack());
         let mut pushed = Vec::new();
         for other in (0..self.at.len()).filter(|&other| other != robot) {
             let theirs = self::motion(ground, other, [self.at[other], self.to[other].unwrap_or(self.at[other])]);
-            let is_beside = around(ground, other, &theirs).intersects(&near);
+            let is_beside = theirs.covered(&footprints[other]).intersects(&near);
             if !is_beside || is_apart(ground, [other, robot], [&theirs, &motion], stats) {
                 continue;
             }
@@ -180,11 +181,6 @@ fn motion(ground: &Ground, robot: usize, [from, to]: [u32; 2]) -> Motion {
     } else {
         Motion::new([0.0, 1.0], from_pose, pose(ground, robot, to))
     }
-}
-
-/// The box of what a robot covers in a motion, by a disc around it.
-fn around(ground: &Ground, robot: usize, motion: &Motion) -> Aabb {
-    motion.around().grown(ground.fleet.footprints()[robot].radius())
 }
 
 /// Whether the motions of two robots are proven apart.

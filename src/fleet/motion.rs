@@ -147,10 +147,10 @@ impl Motion {
         [x + part * dx, y + part * dy, theta + part * turn]
     }
 
-    /// The box of the positions.
-    pub fn around(&self) -> Aabb {
+    /// A box that contains all that a robot covers in this motion: that of the positions, and around it the radius.
+    pub fn covered(&self, robot: &Footprint) -> Aabb {
         let [x, y, _] = self.from;
-        Aabb::of(Point::new(x, y), Point::new(x + self.delta[0], y + self.delta[1]))
+        Aabb::of(Point::new(x, y), Point::new(x + self.delta[0], y + self.delta[1])).grown(robot.radius)
     }
 
     /// The velocity: metres and radians per second.

@@ -154,25 +154,8 @@ impl Orders {
 
     /// One expansion of the search of one robot.
     pub fn iterate(&mut self, ground: &Ground, stats: &mut FleetStats) -> Status {
-        if let Some(mut sequence) = self.next.take() {
-            let order = match sequence.iterate(ground, &self.all, stats) {
-                Sequenced::NotYet => {
-                    self.next = Some(sequence);
-                    return Status::Running;
-                }
-                Sequenced::Order(order) if !self.has_failed(&order) => Some(order),
-                Sequenced::Order(_) | Sequenced::Stuck => self.draw(),
-                Sequenced::Never => None,
-                Sequenced::Unconnected(robot) => {
-                    self.blocked = Some(Blocked { robot, by: Vec::new() });
-                    return self.give_up(FleetReason::NotConnected);
-                }
-            };
-            let Some(order) = order else { return self.give_up(FleetReason::NoOrder) };
-            (self.order, self.planned, self.trajectories) = (order, 0, standing(ground.fleet));
-            self.restarts += 1;
-            stats.restarts += 1;
-            return Status::Running;
+        if let Some(sequence) = self.next.take() {
+            return self.take_next(sequence, ground, stats);
         }
         let robot = self.order[self.planned];
         let scene = ground.scene(robot, &self.trajectories, &self.all);
@@ -203,6 +186,28 @@ impl Orders {
                 self.next = Some(sequence);
             }
         }
+        Status::Running
+    }
+
+    /// Goes on making the next order. Once it is complete, its first robot plans next; if none can be made, one is drawn.
+    fn take_next(&mut self, mut sequence: Sequence, ground: &Ground, stats: &mut FleetStats) -> Status {
+        let order = match sequence.iterate(ground, &self.all, stats) {
+            Sequenced::NotYet => {
+                self.next = Some(sequence);
+                return Status::Running;
+            }
+            Sequenced::Order(order) if !self.has_failed(&order) => Some(order),
+            Sequenced::Order(_) | Sequenced::Stuck => self.draw(),
+            Sequenced::Never => None,
+            Sequenced::Unconnected(robot) => {
+                self.blocked = Some(Blocked { robot, by: Vec::new() });
+                return self.give_up(FleetReason::NotConnected);
+            }
+        };
+        let Some(order) = order else { return self.give_up(FleetReason::NoOrder) };
+        (self.order, self.planned, self.trajectories) = (order, 0, standing(ground.fleet));
+        self.restarts += 1;
+        stats.restarts += 1;
         Status::Running
     }
 

@@ -55,13 +55,14 @@ impl Ground<'_> {
     pub fn first_conflict(&self, pair: [usize; 2], trajectories: &[Arc<Trajectory>], checks: &mut u64) -> Option<f64> {
         let [a, b] = pair.map(|robot| &*trajectories[robot]);
         let footprints: [&Footprint; 2] = pair.map(|robot| &self.fleet.footprints()[robot]);
-        let reach = footprints[0].radius() + footprints[1].radius() + CLEAR * MARGIN * self.fleet.slack();
-        if !a.around().grown(reach).intersects(b.around()) {
+        let clear = CLEAR * MARGIN * self.fleet.slack();
+        if !a.around().grown(footprints[0].radius() + footprints[1].radius() + clear).intersects(b.around()) {
             return None;
         }
         b.motions().find_map(|motion| {
-            let near = motion.around().grown(reach);
-            let mut beside = a.during(motion.begin, motion.end).filter(|other| other.around().intersects(&near));
+            let near = motion.covered(footprints[1]).grown(clear);
+            let during = a.during(motion.begin, motion.end);
+            let mut beside = during.filter(|other| other.covered(footprints[0]).intersects(&near));
             let met = beside.find(|other| {
                 *checks += 1;
                 !Pair { footprints, motions: [other, &motion], slack: self.fleet.slack() }.is_apart()

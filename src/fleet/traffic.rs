@@ -104,8 +104,8 @@ impl Traffic {
         let others = scene.among.iter().copied().filter(|&other| other != scene.robot);
         let motions: Vec<(usize, Motion)> =
             others.flat_map(|other| scene.trajectories[other].motions().map(move |motion| (other, motion))).collect();
-        let around = |(other, motion): &(usize, Motion)| motion.around().grown(scene.footprints[*other].radius());
-        let boxes: Vec<Aabb> = motions.iter().map(around).collect();
+        let boxes: Vec<Aabb> =
+            motions.iter().map(|(other, motion)| motion.covered(&scene.footprints[*other])).collect();
         Self { boxes: Boxes::new(&boxes), motions }
     }
 
@@ -116,7 +116,7 @@ impl Traffic {
         motion: &Motion,
         proofs: &mut Proofs,
     ) -> impl Iterator<Item = &'a (usize, Motion)> + use<'a> {
-        let near = motion.around().grown(scene.footprints[scene.robot].radius() + CLEAR * scene.slack);
+        let near = motion.covered(&scene.footprints[scene.robot]).grown(CLEAR * scene.slack);
         let mut found = Vec::with_capacity(FOUND);
         self.boxes.any(&near, |number| {
             let (_, other) = &self.motions[number];
@@ -145,32 +145,29 @@ impl Traffic {
         Ok(None)
     }
 
-    /// The others that make a pose unsafe at some time.
-    pub fn in_conflict(&self, scene: &Scene, at: Pose, proofs: &mut Proofs) -> Result<BTreeSet<usize>, Pause> {
+    /// When others make a pose unsafe: each of them with intervals of time, those of one motion in order.
+    fn conflicts(&self, scene: &Scene, at: Pose, proofs: &mut Proofs) -> Result<Vec<(usize, [f64; 2])>, Pause> {
         let stand = Motion::standing([0.0, f64::INFINITY], at);
-        let (mut met, mut times) = (BTreeSet::new(), Vec::new());
+        let (mut conflicts, mut intervals) = (Vec::new(), Vec::new());
         for (other, theirs) in self.beside(scene, &stand, proofs) {
             let pair = scene.pair(*other, [theirs, &stand]);
-            pair.add_conflicts(&mut times, |pair| proofs.is_apart(pair, false))?;
-            if !times.is_empty() {
-                met.insert(*other);
-                times.clear();
-            }
+            pair.add_conflicts(&mut intervals, |pair| proofs.is_apart(pair, false))?;
+            conflicts.extend(intervals.drain(..).map(|interval| (*other, interval)));
         }
-        Ok(met)
+        Ok(conflicts)
+    }
+
+    /// The others that make a pose unsafe at some time.
+    pub fn in_conflict(&self, scene: &Scene, at: Pose, proofs: &mut Proofs) -> Result<BTreeSet<usize>, Pause> {
+        Ok(self.conflicts(scene, at, proofs)?.into_iter().map(|(other, _)| other).collect())
     }
 
     /// The safe intervals of a pose, in order.
     pub fn safe_intervals(&self, scene: &Scene, at: Pose, proofs: &mut Proofs) -> Result<Vec<[f64; 2]>, Pause> {
-        let stand = Motion::standing([0.0, f64::INFINITY], at);
-        let mut unsafe_intervals = Vec::new();
-        for (other, theirs) in self.beside(scene, &stand, proofs) {
-            let pair = scene.pair(*other, [theirs, &stand]);
-            pair.add_conflicts(&mut unsafe_intervals, |pair| proofs.is_apart(pair, false))?;
-        }
-        sort_stably(&mut unsafe_intervals, |a, b| a[0].total_cmp(&b[0]));
+        let mut conflicts = self.conflicts(scene, at, proofs)?;
+        sort_stably(&mut conflicts, |(_, a), (_, b)| a[0].total_cmp(&b[0]));
         let (mut safe, mut from) = (Vec::new(), 0.0);
-        for [begin, end] in unsafe_intervals {
+        for (_, [begin, end]) in conflicts {
             if begin > from {
                 safe.push([from, begin]);
             }

@@ -3,7 +3,7 @@
 use crate::common::cases;
 use planarium::graph::VertexId;
 use planarium::nearest::{
-    Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Query, recall,
+    Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Neighbourhood, Query, recall,
 };
 use planarium::random::{Random, Stream};
 use planarium::space::steering::Steering;
@@ -90,6 +90,20 @@ fn check_queries(
     }
 }
 
+/// Checks that a query in any order has the neighbours of that in order, and visits as many vertices.
+fn check_any_order<S: Space>(name: &str, index: &Index, query: Query<S>, truth: &[Neighbour]) {
+    let (mut found, mut expected) = (Vec::new(), Vec::new());
+    let n = truth.len();
+    for radius in [-1.0, 0.0, truth[n / 50].distance, truth[n / 3].distance, f64::INFINITY] {
+        for wanted in [Neighbourhood::Within(radius), Neighbourhood::of(7, radius)] {
+            let visited = index.find_in_any_order(query, wanted, &mut found);
+            assert_eq!(visited, index.find(query, wanted, &mut expected), "{name}");
+            found.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.vertex.cmp(&b.vertex)));
+            same(&found, &expected, &|| format!("{name}: {wanted:?} in any order"));
+        }
+    }
+}
+
 /// An index of the states.
 fn grown<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) -> I {
     states.iter().enumerate().for_each(|(i, state)| index.insert(space, number(i), state));
@@ -115,6 +129,7 @@ fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::Stat
             check(&format!("scan, {name}"), &linear, space, &numbered, from, &expected);
             check(&format!("kd-tree, {name}"), &tree, space, &numbered, from, &expected);
             check(&format!("index, {name}"), &index, space, &numbered, from, &expected);
+            check_any_order(name, &index, Query::to(space, &numbered, from), &expected);
         }
     }
 }
@@ -488,6 +503,7 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
                     let k_nearest = |k, found: &mut _| index.k_nearest(query, k, found);
                     let within = |radius, found: &mut _| index.within(query, radius, found);
                     check_queries(&name, index.nearest(query), k_nearest, within, &truth);
+                    check_any_order(&name, &index, query, &truth);
                     if direction == Direction::In {
                         check("plain queries are about motions to the state", &index, &space, &numbered, from, &truth);
                     }

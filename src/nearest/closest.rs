@@ -16,7 +16,7 @@ pub(super) trait Collector {
     /// Offers the states of up to eight packs with their approximate distances; NaN distances are ignored.
     fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId);
 
-    /// Computes what is left to compute, and sorts what was found.
+    /// Computes what is left to compute, and sorts what was found if that is wanted.
     fn finish(self);
 }
 
@@ -47,6 +47,8 @@ pub(super) struct Closest<'a, M> {
     limit: f64,
     /// Whether candidates are always sorted, so that the bar is tight; else the best are selected from time to time.
     is_sorted: bool,
+    /// Whether what is found is sorted at the end.
+    sorts_result: bool,
     /// Approximate distances greater than this are ignored.
     bar: f32,
     /// The exact distance of a vertex.
@@ -64,7 +66,12 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
         measure: M,
     ) -> Self {
         found.clear();
-        Self { query, found, k, limit, is_sorted, bar: query.bar(limit), measure }
+        Self { query, found, k, limit, is_sorted, sorts_result: true, bar: query.bar(limit), measure }
+    }
+
+    /// All that are no farther than `limit`; sorted at the end, or in any order.
+    pub fn all(query: &'a Packed, found: &'a mut Vec<Neighbour>, limit: f64, sorts_result: bool, measure: M) -> Self {
+        Self { sorts_result, ..Self::new(query, found, usize::MAX, limit, false, measure) }
     }
 
     /// Inserts a candidate among sorted ones.
@@ -122,7 +129,9 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
     fn measure(&mut self) {
         self.found.iter_mut().for_each(|candidate| candidate.distance = (self.measure)(candidate.vertex));
         self.found.retain(|candidate| candidate.distance <= self.limit);
-        Neighbour::first(self.found, self.k);
+        if self.sorts_result {
+            Neighbour::first(self.found, self.k);
+        }
         if self.found.len() == self.k {
             self.lower_bar();
         }

@@ -1,6 +1,6 @@
 //! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
-use super::{KdTree, LinearScan, Nearest, Neighbour, Query};
+use super::{KdTree, LinearScan, Nearest, Neighbour, Neighbourhood, Query};
 use crate::graph::VertexId;
 use crate::space::Space;
 
@@ -31,6 +31,48 @@ impl Index {
         let mut found = Vec::with_capacity(2);
         let visited = self.k_nearest(query, 1, &mut found);
         found.pop().map(|nearest| (nearest, visited))
+    }
+
+    /// The vertices of a neighbourhood into `found`, in any order: those within a radius are not sorted, which takes a good part of
+    /// such a query. Returns how many vertices were visited. Pass another list to other queries: they guess distances by the last
+    /// neighbour of their list.
+    pub fn find_in_any_order<S: Space>(
+        &self,
+        query: Query<S>,
+        neighbourhood: Neighbourhood,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        match neighbourhood {
+            Neighbourhood::Within(radius) => self.all_within(query, radius, false, found),
+            _ => self.find(query, neighbourhood, found),
+        }
+    }
+
+    /// Every vertex no farther than `radius`: nearest first, or in any order. Returns how many vertices were visited.
+    fn all_within<S: Space>(
+        &self,
+        query: Query<S>,
+        radius: f64,
+        sorts_result: bool,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        let Query { space, states, direction, from } = query;
+        if space.is_norm_exact() {
+            return match self.len <= Self::crossover(space, 1) {
+                true => self.scan.within(query, radius, found),
+                false => self.tree.all_within(query, radius, sorts_result, found),
+            };
+        }
+        let visited = self.tree.all_within(query, radius, false, found);
+        for candidate in &mut *found {
+            let other = &states[candidate.vertex.index()];
+            candidate.distance = direction.distance_within(space, from, other, radius);
+        }
+        found.retain(|neighbour| neighbour.distance <= radius);
+        if sorts_result {
+            Neighbour::sort(found);
+        }
+        visited
     }
 
     /// The number of states up to which a scan finds `k` neighbours faster than the tree: linear fits to the figures of the
@@ -88,19 +130,6 @@ impl<S: Space> Nearest<S> for Index {
     }
 
     fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let Query { space, states, direction, from } = query;
-        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
-            return self.scan.within(query, radius, found);
-        }
-        let visited = self.tree.within(query, radius, found);
-        if !space.is_norm_exact() {
-            for candidate in &mut *found {
-                let other = &states[candidate.vertex.index()];
-                candidate.distance = direction.distance_within(space, from, other, radius);
-            }
-            found.retain(|neighbour| neighbour.distance <= radius);
-            Neighbour::sort(found);
-        }
-        visited
+        self.all_within(query, radius, true, found)
     }
 }

@@ -97,7 +97,7 @@ impl<S: Space> Nearest<S> for LinearScan {
     fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let packed = self.packs.query(query.space, query.from);
         let measure = measure(query, false);
-        self.scan(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure));
+        self.scan(query.space, &packed, Closest::all(&packed, found, radius, true, measure));
         self.len
     }
 }

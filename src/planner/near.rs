@@ -115,9 +115,28 @@ pub(super) fn find_near<S: Space>(
     neighbourhood: Neighbourhood,
     found: &mut Vec<Neighbour>,
 ) {
-    growth.counters.nearest_queries += 1;
     let query = Query { space: problem.space(), states: growth.graph.states(), direction, from: state };
     let visited = index.find(query, neighbourhood, found);
+    note_query(problem, growth, visited, found);
+}
+
+/// The same in any order.
+pub(super) fn find_near_in_any_order<S: Space>(
+    problem: &Problem<S>,
+    growth: &mut Growth<S>,
+    index: &Index,
+    (direction, state): (Direction, &S::State),
+    neighbourhood: Neighbourhood,
+    found: &mut Vec<Neighbour>,
+) {
+    let query = Query { space: problem.space(), states: growth.graph.states(), direction, from: state };
+    let visited = index.find_in_any_order(query, neighbourhood, found);
+    note_query(problem, growth, visited, found);
+}
+
+/// Counts a query with the vertices that it visited and found.
+fn note_query<S: Space>(problem: &Problem<S>, growth: &mut Growth<S>, visited: usize, found: &[Neighbour]) {
+    growth.counters.nearest_queries += 1;
     growth.note_visited(problem.space(), visited);
     growth.looked += found.len() as u64;
 }

@@ -126,6 +126,19 @@ impl KdTree {
         self.search(query.space, &packed, ranked)
     }
 
+    /// Every vertex no farther than `radius`: nearest first, or in any order. Returns how many vertices were visited.
+    pub(super) fn all_within<S: Space>(
+        &self,
+        query: Query<S>,
+        radius: f64,
+        sorts_result: bool,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        let packed = self.packs.query(query.space, query.from);
+        let measure = measure(query, self.packs.is_unwrapped);
+        self.search(query.space, &packed, Closest::all(&packed, found, radius, sorts_result, measure))
+    }
+
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
     fn search<S: Space>(&self, space: &S, query: &Packed, mut closest: impl Collector) -> usize {
         let mut visited = 0;
@@ -222,8 +235,6 @@ impl<S: Space> Nearest<S> for KdTree {
     }
 
     fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let packed = self.packs.query(query.space, query.from);
-        let measure = measure(query, self.packs.is_unwrapped);
-        self.search(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure))
+        self.all_within(query, radius, true, found)
     }
 }

@@ -1,6 +1,6 @@
 /**
- * `npm run bench`: roadmaps and queries of arms, bodies and cars, natively and in Node, beside OMPL and OxMPL, then new
- * processes, memory and threads; in one run, which ends with the aims that are reached and missed.
+ * `npm run bench`: roadmaps and queries of arms, bodies and cars, natively and in Node, beside OMPL and OxMPL, then first
+ * answers, new processes, memory and threads; in one run, which ends with the aims that are reached and missed.
  *
  *   --quick           three worlds per row and few runs, as a smoke test
  *   --worlds N        worlds per row (50)
@@ -68,7 +68,7 @@ await script(async () => {
   try {
     for (const name of names) sides.set(name, await startSide(name, !options["no-build"]));
     // Imported here, since the package may just have been built.
-    const { Scenario } = await import("planarium");
+    const [{ Scenario }, { Fleet }] = [await import("planarium"), await import("planarium/full")];
     const measured = [];
     for (const row of chosen) {
       console.error(`bench: ${row.name}`);
@@ -82,7 +82,9 @@ await script(async () => {
     for (const { name, measure } of others) {
       console.error(`bench: ${name}`);
       try {
-        further.push({ row: name, arms: [], figures: measure({ forests, isQuick: options.quick }) });
+        const [native, node] = /** @type {const} */ (["native", "node"]).map((side) => sides.get(side));
+        const setting = { forests, isQuick: options.quick, native, node, Scenario, Fleet, folder };
+        further.push({ row: name, arms: [], figures: await measure(setting) });
       } catch (error) {
         // What was measured before must not be lost.
         if (!(error instanceof Problem)) throw error;

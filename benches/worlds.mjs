@@ -5,6 +5,7 @@
  *   --only IDS        planners, with commas between them (all)
  *   --groups NAMES    groups of worlds, with commas between them (all)
  *   --queries N       queries of each map, and worlds of each generator and robot (50)
+ *   --first N         the seed of the first generated world (5000)
  *   --seconds S       the limit of a run, of the processor's time (5)
  *   --set NAME=VALUE  an option of every planner that has it; may be repeated
  *   --jobs N          runs at the same time (as many as there are processors)
@@ -55,9 +56,6 @@ const generators = {
 /** The planners whose paths are measured along arcs of controls. */
 const by_controls = ["rrt-control", "sst"];
 
-/** The seed of the first generated world. */
-const FIRST = 5000;
-
 /** The shortest path among more obstacles than this takes too long to be asked for. */
 const MOST_OBSTACLES = 500;
 
@@ -67,6 +65,7 @@ await script(async () => {
       only: { type: "string" },
       groups: { type: "string" },
       queries: { type: "string", default: "50" },
+      first: { type: "string", default: "5000" },
       seconds: { type: "string", default: "5" },
       set: { type: "string", multiple: true, default: [] },
       jobs: { type: "string", default: `${availableParallelism()}` },
@@ -77,8 +76,9 @@ await script(async () => {
       seeds: { type: "string", default: "5" },
     },
   });
-  const [queries, jobs, seconds] = [
+  const [queries, first, jobs, seconds] = [
     integer("queries", given.queries, 1),
+    integer("first", given.first, 0),
     integer("jobs", given.jobs, 1),
     Number(given.seconds),
   ];
@@ -98,7 +98,9 @@ await script(async () => {
       if (given.write) update("files", `${text}\n`, "worlds.md");
       return;
     }
-    const tasks = (await worlds(folder, queries, serve(binary))).filter((task) => groups?.includes(task.group) ?? true);
+    const tasks = (await worlds(folder, queries, first, serve(binary))).filter(
+      (task) => groups?.includes(task.group) ?? true,
+    );
     const planners = planned(given.only?.split(","));
     const settings = given.set.map((setting) => /** @type {[string, string]} */ (setting.split("=")));
     /** @type {Row[]} */
@@ -209,10 +211,11 @@ function planned(only) {
  * Every query of every world.
  * @param {string} folder of files to write
  * @param {number} queries
+ * @param {number} first  the seed of the first generated world
  * @param {ReturnType<typeof serve>} side
  * @returns {Promise<Task[]>}
  */
-async function worlds(folder, queries, side) {
+async function worlds(folder, queries, first, side) {
   /** @type {Task[]} */
   const tasks = [];
   const { PLANARIUM_SCENARIOS: scenarios, PLANARIUM_WORLDS: maps } = process.env;
@@ -249,7 +252,7 @@ async function worlds(folder, queries, side) {
   side.end();
   for (const [generate, robots] of Object.entries(generators)) {
     for (const robot of robots) {
-      for (let seed = FIRST; seed < FIRST + queries; seed += 1) {
+      for (let seed = first; seed < first + queries; seed += 1) {
         const options = { seed, ...(robots.length > 1 ? { robot } : {}) };
         tasks.push({
           group: generate,

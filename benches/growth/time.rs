@@ -1,8 +1,10 @@
 //! Time against one quantity at a time, and how fast it grows.
 
+use planarium::fleet::{FleetPlanner, Generator, HallOptions, PbsOptions};
 use planarium::geometry::Point;
 use planarium::graph::VertexId;
 use planarium::nearest::{Index, LinearScan, Nearest, Query};
+use planarium::problem::Stepped;
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
 use planarium::run::{Options, Phase, PlannerOptions, Run, Status, Value, start};
@@ -74,8 +76,10 @@ impl Curve {
 pub fn curves(is_quick: bool) -> Vec<Curve> {
     let most = if is_quick { 3000 } else { 1_000_000 };
     let sizes: Vec<u64> = SIZES.into_iter().filter(|&n| n <= most).collect();
-    let counts: Vec<u64> = [10, 30, 100, 300, 1000, 3000, 10_000].into_iter().filter(|&n| n <= most / 10).collect();
-    [roadmaps(&sizes), trees(&sizes), queries(&sizes), obstacles(&counts), neighbours(), links()]
+    let counts = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000];
+    let counts: Vec<u64> = counts.into_iter().filter(|&n| n <= most / 10).collect();
+    let robots: Vec<u64> = [10, 20, 50, 100, 200].into_iter().filter(|&n| n <= most / 100).collect();
+    [roadmaps(&sizes), trees(&sizes), queries(&sizes), obstacles(&counts), neighbours(), links(), fleets(&robots)]
         .into_iter()
         .flatten()
         .collect()
@@ -209,6 +213,20 @@ fn links() -> Vec<Curve> {
         whole(links, || prm(&world, SAMPLES, K))
     });
     vec![Curve::new("links (2000 samples)", "k-PRM, k = 15", points.collect())]
+}
+
+/// A plan for discs that cross an open hall, 4 m² for each, with its roadmap.
+fn fleets(counts: &[u64]) -> Vec<Curve> {
+    let plan = |&x: &u64| {
+        let hall = HallOptions { count: x as usize, seed: SEED, ..HallOptions::default() };
+        let fleet = hall.generate().expect("a hall can be generated");
+        let (seconds, ()) = fastest(|| {
+            let mut planner = FleetPlanner::new(&fleet, PbsOptions::default()).expect("a planner of the fleet");
+            assert_eq!(planner.step(u64::MAX), Status::Solved, "a hall of {x} robots has a plan");
+        });
+        Measured { x, seconds, motions: None }
+    };
+    vec![Curve::new("robots of a fleet (an open hall)", "a plan by pbs", counts.iter().map(plan).collect())]
 }
 
 /// The point of a run from its set-up to its end.

@@ -38,12 +38,12 @@ export const aims = [
   { name: "k-PRM, batch, Node", rows: ROADMAPS, figure: "OMPL, plain / Node, batch", least: 9, stretch: 14 },
   { name: "RRT-Connect, arms, native", rows: ARM_TREES, figure: "OMPL, plain / native", least: 6, stretch: 9 },
   { name: "RRT-Connect, arms, Node", rows: ARM_TREES, figure: "OMPL, plain / Node", least: 4, stretch: 6 },
-  { name: "RRT-Connect, bodies, native", rows: BODIES, figure: "OMPL, plain / native", least: 4, stretch: 8 },
-  { name: "RRT-Connect, bodies, Node", rows: BODIES, figure: "OMPL, plain / Node", least: 2.5, stretch: 5 },
+  { name: "RRT-Connect, bodies, native", rows: BODIES, figure: "OMPL, plain / native", least: 5, stretch: 8 },
+  { name: "RRT-Connect, bodies, Node", rows: BODIES, figure: "OMPL, plain / Node", least: 3, stretch: 5 },
   { name: "RRT by controls, native", rows: /^Kinodynamic RRT/, figure: "OMPL, plain / native", least: 10 },
   { name: "RRT by controls, Node", rows: /^Kinodynamic RRT/, figure: "OMPL, plain / Node", least: 6 },
-  { name: "SST, native", rows: /^SST/, figure: "OMPL, plain / native", least: 20 },
-  { name: "SST, Node", rows: /^SST/, figure: "OMPL, plain / Node", least: 10 },
+  { name: "SST, native", rows: /^SST/, figure: "OMPL, plain / native", least: 15 },
+  { name: "SST, Node", rows: /^SST/, figure: "OMPL, plain / Node", least: 9 },
   { name: "Node over native, k-PRM, batch", rows: ROADMAPS, figure: "Node, batch / native, batch", most: 1.5 },
   {
     name: "20 samples on an edge over a proof, native",
@@ -59,6 +59,20 @@ export const aims = [
   },
   { name: "one thread over two, k-PRM, batch", rows: /^Two threads/, figure: "one thread / two threads", least: 1.7 },
   { name: "first roadmap of a new process, ms", rows: /^First roadmap/, figure: "Node, ms after loading", most: 50 },
+  { name: "first answer, Node over native", rows: /^First answer/, figure: "Node / native", most: 2 },
+  { name: "200 discs in an open hall, native, ms", rows: /^A plan for 200/, figure: "native, ms", most: 5000 },
+  {
+    name: "200 discs, the longest iteration, Node, ms",
+    rows: /^A plan for 200/,
+    figure: "Node, ms of the longest iteration",
+    most: 16,
+  },
+  {
+    name: "memory in Node with edges and events, bytes per vertex",
+    rows: /^Memory/,
+    figure: "Node, bytes per vertex, with its edges and events",
+    most: 200,
+  },
   { name: "graph and index, bytes per vertex", rows: /^Graph and index/, figure: "native, bytes per vertex", most: 64 },
 ];
 

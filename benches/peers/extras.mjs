@@ -1,16 +1,42 @@
-/** The rows that compare with no peer: new processes, memory, threads. */
+/** The rows that compare with no peer: first answers, fleets, new processes, memory, threads. */
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
-import { spread } from "./report.mjs";
+import { quantile, spread } from "./report.mjs";
+import { rows, writeWorlds } from "./worlds.mjs";
 
 /** @typedef {import("./report.mjs").Figure} Figure */
+/** @typedef {import("./sides.mjs").Side} Side */
 /**
- * @typedef {{ forests: string[], isQuick: boolean }} Setting  scenarios of arms of four links, one for each new process
+ * @typedef {object} Setting
+ * @property {string[]} forests  scenarios of arms of four links, one for each new process
+ * @property {boolean} isQuick
+ * @property {Side | undefined} native
+ * @property {Side | undefined} node
+ * @property {typeof import("planarium").Scenario} Scenario
+ * @property {typeof import("planarium/full").Fleet} Fleet
+ * @property {string} folder  for files
  */
-/** @typedef {{ name: string, side: import("./sides.mjs").SideName, measure: (setting: Setting) => Figure[] }} Extra */
+/**
+ * @typedef {object} Extra
+ * @property {string} name
+ * @property {import("./sides.mjs").SideName} side
+ * @property {(setting: Setting) => Figure[] | Promise<Figure[]>} measure
+ */
+
+/** The rows in whose worlds first answers are measured. */
+const firsts = rows.filter(({ name }) =>
+  ["RRT-Connect, forest 4R", "RRT-Connect, body in clutter", "Kinodynamic RRT, car in clutter"].includes(name),
+);
 
 /** @type {Extra[]} */
 export const extras = [
+  ...firsts.map((row) => ({
+    name: `First answer, ${row.name.slice(row.name.indexOf(",") + 2)}`,
+    side: /** @type {const} */ ("node"),
+    measure: (/** @type {Setting} */ setting) => firstAnswers(row, setting),
+  })),
+  { name: "A plan for 200 discs in an open hall", side: "node", measure: fleets },
   { name: "First roadmap of a new process (4R, n = 1000)", side: "node", measure: coldStarts },
   { name: "Memory of the WebAssembly instance (4R, k = 10)", side: "node", measure: instance },
   { name: "Graph and index (4R, n = 1,000,000)", side: "native", measure: graphAndIndex },
@@ -19,6 +45,74 @@ export const extras = [
 
 /** @param {string} name @param {number[]} values @returns {Figure} */
 const figure = (name, ...values) => ({ name, value: spread(values) });
+
+/**
+ * The default planner with all around it. Both sides answer in turn; the first world warms them up.
+ * @param {import("./worlds.mjs").Row} row
+ * @param {Setting} setting
+ */
+async function firstAnswers(row, { native, node, Scenario, folder, isQuick }) {
+  const times = [];
+  for (const { json } of writeWorlds(Scenario, row, 0, isQuick ? 3 : 30, folder)) {
+    const of = async (/** @type {Side | undefined} */ side) => milliseconds(side, `${json} first 0 30`);
+    times.push([await of(native), await of(node)]);
+  }
+  return compared(times.slice(1));
+}
+
+/**
+ * Discs that cross halls, 4 m² for each: the times of three seeds, and the longest iteration of all. A small hall warms
+ * the sides up.
+ * @param {Setting} setting
+ */
+async function fleets({ native, node, Fleet, folder, isQuick }) {
+  /** @type {number[][]} */
+  const times = [];
+  let longest = 0;
+  for (const [count, seed] of isQuick
+    ? [
+        [20, 0],
+        [30, 0],
+      ]
+    : [
+        [20, 0],
+        [200, 0],
+        [200, 1],
+        [200, 2],
+      ]) {
+    const fleet = Fleet.generate("hall", { count, seed });
+    const file = join(folder, `hall-${count}-${seed}.json`);
+    writeFileSync(file, JSON.stringify(fleet));
+    fleet.free();
+    times.push([
+      await milliseconds(native, `${file} fleet ${seed} 1`),
+      await milliseconds(node, `${file} fleet ${seed} 1`),
+    ]);
+    longest = Math.max(longest, await milliseconds(node, `${file} longest ${seed} 1`));
+  }
+  return [...compared(times.slice(1)), figure("Node, ms of the longest iteration", longest)];
+}
+
+/** The median of the times that a side replies; NaN without it, and if a run found nothing. @param {Side | undefined} side @param {string} job */
+async function milliseconds(side, job) {
+  return side === undefined ? NaN : quantile((await side.reply(job)).seconds, 0.5) * 1e3;
+}
+
+/**
+ * The times of the native side and of Node, and their ratios; without those of a side that is absent.
+ * @param {number[][]} times
+ */
+function compared(times) {
+  const of = (/** @type {string} */ name, /** @type {(times: number[]) => number} */ value) => {
+    const known = times.map(value).filter(Number.isFinite);
+    return known.length > 0 ? [figure(name, ...known)] : [];
+  };
+  return [
+    ...of("native, ms", ([native]) => native),
+    ...of("Node, ms", ([, node]) => node),
+    ...of("Node / native", ([native, node]) => node / native),
+  ];
+}
 
 /** Loads the package and builds a roadmap, each time in a new process. @param {Setting} setting */
 function coldStarts({ forests }) {

@@ -1,10 +1,16 @@
 //! The crate's side of `npm run bench`: one job per line of standard input, one line of JSON for each.
 //!
 //!   FILE PLANNER SEED RUNS LIMIT name=value ...
+//!   FILE first SEED RUNS
+//!   FILE fleet SEED RUNS
 //!
 //! FILE is a scenario document; seeds are SEED, SEED + 1, ...; a run ends after LIMIT seconds, solved or not. Every run is
-//! fresh: its set-up begins with the parsed scenario, its search ends with the path.
+//! fresh: its set-up begins with the parsed scenario, its search ends with the path. `first` measures the default planner with
+//! all around it, from the text of the document to the result, `fleet` the default planner of the fleet in FILE. Their replies are
+//! empty if a run finds nothing.
 
+use planarium::fleet::{Fleet, FleetOptions, FleetPlanner};
+use planarium::problem::Stepped;
 use planarium::run::{Options, Phase, PlannerOptions, Status, Value, start};
 use planarium::scenario::Scenario;
 use std::io::{BufRead, Write};
@@ -29,10 +35,23 @@ fn main() {
 
 fn reply_to(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
     let mut words = job.split(' ');
-    let mut next = || words.next().ok_or("a job has at least five words");
-    let scenario = Scenario::parse(&std::fs::read_to_string(next()?)?)?;
+    let mut next = || words.next().ok_or("a job has too few words");
+    let text = std::fs::read_to_string(next()?)?;
     let planner = next()?.to_owned();
-    let (seed, runs, limit): (u64, u64, f64) = (next()?.parse()?, next()?.parse()?, next()?.parse()?);
+    let (seed, runs): (u64, u64) = (next()?.parse()?, next()?.parse()?);
+    if let "first" | "fleet" = planner.as_str() {
+        let answer = if planner == "first" { first_answer } else { fleet_plan };
+        let mut seconds = Vec::new();
+        for seed in seed..seed + runs {
+            match answer(&text, seed)? {
+                Some(time) => seconds.push(time),
+                None => return Ok(serde_json::json!({ "seconds": [] })),
+            }
+        }
+        return Ok(serde_json::json!({ "seconds": seconds }));
+    }
+    let limit: f64 = next()?.parse()?;
+    let scenario = Scenario::parse(&text)?;
     let parameters = words.map(parameter).collect::<Option<Vec<_>>>().ok_or("a parameter is name=value")?;
     let mut done = Vec::new();
     let planner = PlannerOptions::read(&planner, &parameters)?;
@@ -46,6 +65,29 @@ fn reply_to(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> 
 fn parameter(word: &str) -> Option<(String, Value)> {
     let (name, value) = word.split_once('=')?;
     Some((name.to_owned(), Value::from_text(value)))
+}
+
+/// The seconds from the text of a scenario to the result of the default planner; `None` if that has no path.
+fn first_answer(text: &str, seed: u64) -> Result<Option<f64>, planarium::Error> {
+    let began = Instant::now();
+    let mut run = start(&Scenario::parse(text)?, &Options { seed, ..Options::default() })?;
+    while run.step(u64::MAX) == Status::Running {}
+    let result = run.result();
+    let seconds = began.elapsed().as_secs_f64();
+    std::hint::black_box(result);
+    Ok((run.status() == Status::Solved).then_some(seconds))
+}
+
+/// The seconds from a new planner of a fleet to its result; `None` if that has no plan.
+fn fleet_plan(text: &str, seed: u64) -> Result<Option<f64>, planarium::Error> {
+    let fleet = Fleet::parse(text)?;
+    let began = Instant::now();
+    let mut planner = FleetPlanner::new(&fleet, FleetOptions { seed, ..FleetOptions::default() })?;
+    while planner.step(u64::MAX) == Status::Running {}
+    let result = planner.result();
+    let seconds = began.elapsed().as_secs_f64();
+    std::hint::black_box(result);
+    Ok((planner.status() == Status::Solved).then_some(seconds))
 }
 
 /// One run, from its set-up to its path.

@@ -183,7 +183,7 @@ test("worlds of other programs", (t) =>
           assert.equal(await pixelsOf(page, "workspace", "ground", "obstacle-edge"), cells, "with its cells");
         },
 
-        "start and goal are dragged in the panel, and told when they are in collision": async (page) => {
+        "start and goal are dragged in the panel or typed, and a collision is reported": async (page) => {
           await pickFiles(page, { "rooms.yaml": yaml(), "rooms.pgm": pgm() });
           await panel(page);
           await use(page);
@@ -196,9 +196,22 @@ test("worlds of other programs", (t) =>
           assert.match(await page.innerText("#world-hint"), /start is in collision/i);
           await drag(page, [at(1.45, -1.8), at(0.5, 0)]);
           await page.waitForSelector("#world-hint[data-bad=false]");
+          const dragged = Number(await page.inputValue("#world-start-y"));
+          await page.fill("#world-start-x", "99");
+          assert.match(await page.innerText("#world-start-x-reason"), /x: 99 is above 3\.8/);
+          await page.focus("#world-start-y");
+          assert.ok(await page.isHidden("#world-start-x-reason"), "the place is shown again");
+          assert.ok(Math.abs(Number(await page.inputValue("#world-start-x")) - 0.5) < 0.1);
+          await page.fill("#world-start-x", "1.45");
+          await page.fill("#world-start-y", "-1.8");
+          await page.waitForSelector("#world-hint[data-bad=true]");
+          await page.fill("#world-start-x", "0.52");
+          await page.fill("#world-start-y", String(dragged));
+          await page.waitForSelector("#world-hint[data-bad=false]");
           await use(page);
           const [moved] = (await saved(page)).queries;
-          assert.ok(Math.hypot(moved.start[0] - 0.5, moved.start[1]) < 0.1, `${moved.start}`);
+          assert.deepEqual(moved.start, [0.52, dragged]);
+          assert.ok(Math.abs(dragged) < 0.1, `${dragged}`);
         },
 
         "a picture without metadata gets its scale from two clicks and a length": async (page) => {

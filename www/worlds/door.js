@@ -27,7 +27,7 @@ import { Panel } from "./panel.js";
  * @property {(count: number) => Promise<number[][]>} spread   connected places that are far apart, while it is opened
  */
 
-/** The query that is added to a world without one, or whose start or goal was dragged. */
+/** The query that is added to a world without one, or whose start or goal was moved. */
 const OWN = "start to goal";
 
 const ROBOT = /** @type {const} */ (["robot", "radius", "length", "width", "wheelbase", "steering"]);
@@ -62,7 +62,7 @@ export class Door {
     this.places = null;
     /** The query of the file that is shown; empty: places of the page. */
     this.query = "";
-    /** Whether a start or a goal was dragged. */
+    /** Whether a start or a goal was moved. */
     this.isPlaced = false;
     /** @type {{ worker: Worker, remote: WorldWorker } | null} */
     this.reader = null;
@@ -192,7 +192,7 @@ export class Door {
     }
   }
 
-  /** The places that were dragged, with headings only where the robot turns. */
+  /** The places that were moved, with headings only where the robot turns. */
   fittedPlaces() {
     const turns = this.world?.scenario.robot.type !== "disc";
     const fit = (/** @type {number[]} */ [x, y, theta = 0]) => (turns ? [x, y, theta] : [x, y]);

@@ -1,6 +1,7 @@
 /** The panel in which a world is opened: what was read, what must be asked, and the map. */
 import { make, write } from "../app/dom.js";
 import { button, select } from "../widgets/elements.js";
+import { Ends } from "./ends.js";
 import { Fields } from "./fields.js";
 import { Preview } from "./preview.js";
 import { faultText, formatName, linesOf } from "./words.js";
@@ -29,6 +30,7 @@ export class Panel {
     this.home = document.createComment("notice");
     this.fields = new Fields(acts.choose, () => this.measure(this.preview.points === null));
     this.preview = new Preview(app, acts.place, (points) => this.measured(points));
+    this.ends = new Ends(acts.place);
     this.title = make("h2", { id: "world-title" });
     this.files = make("ul", { id: "world-files", ariaLabel: "Files" });
     this.report = make("ul", { id: "world-report" });
@@ -56,7 +58,15 @@ export class Panel {
     this.body = make(
       "div",
       { className: "world-body" },
-      make("div", { className: "world-map" }, this.preview.canvas, this.hint, this.lengthRow, this.query),
+      make(
+        "div",
+        { className: "world-map" },
+        this.preview.canvas,
+        this.hint,
+        this.lengthRow,
+        this.ends.element,
+        this.query,
+      ),
       make("div", { className: "world-side" }, this.report, this.fields.element),
     );
     this.dialog = make(
@@ -175,24 +185,27 @@ export class Panel {
     preview.places = places;
     preview.bad = bad;
     preview.draw();
+    this.ends.show(preview.points ? null : places, this.world?.scenario.world.bounds);
     this.hint.dataset.bad = String(bad.length > 0);
-    if (!preview.points)
-      write(
-        this.hint,
-        bad.length > 0
-          ? `The ${bad.join(" and the ")} ${bad.length > 1 ? "are" : "is"} in collision: drag to a free place.`
-          : places
-            ? "Drag the start and the goal."
-            : "",
-      );
+    if (!preview.points) write(this.hint, this.advice());
+  }
+
+  /** What to do about start and goal. */
+  advice() {
+    const { places, bad } = this.preview;
+    if (!places) return "";
+    if (bad.length === 0) return "Drag the start and the goal, or type where they are.";
+    const [are, them] = bad.length > 1 ? ["are", "them"] : ["is", "it"];
+    return `The ${bad.join(" and the ")} ${are} in collision: move ${them} to a free place.`;
   }
 
   /** Begins or ends the measurement of the scale. @param {boolean} isOn */
   measure(isOn) {
     this.fields.measure.ariaPressed = String(isOn);
     this.preview.measure(isOn);
+    this.ends.show(isOn ? null : this.preview.places, this.world?.scenario.world.bounds);
     this.lengthRow.hidden = true;
-    write(this.hint, isOn ? "Click two points whose distance you know." : "Drag the start and the goal.");
+    write(this.hint, isOn ? "Click two points whose distance you know." : this.advice());
   }
 
   /** @param {Point[]} points   clicked */

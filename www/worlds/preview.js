@@ -123,6 +123,8 @@ export class Preview {
     if (first.distance > REACH) return;
     this.held = first.end;
     this.canvas.setPointerCapture(event.pointerId);
+    // A field that is left shows what is dragged.
+    if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur();
   }
 
   /** @param {PointerEvent} event */

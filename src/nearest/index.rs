@@ -33,9 +33,9 @@ impl Index {
         found.pop().map(|nearest| (nearest, visited))
     }
 
-    /// The vertices of a neighbourhood into `found`, in any order: those within a radius are not sorted, which takes a good part of
-    /// such a query. Returns how many vertices were visited. Pass another list to other queries: they guess distances by the last
-    /// neighbour of their list.
+    /// The vertices of a neighbourhood into `found`, in any order: those within a radius are not sorted, which takes a good part
+    /// of such a query. Returns how many vertices were visited. Pass another list to other queries: they guess distances by the
+    /// last neighbour of their list.
     pub fn find_in_any_order<S: Space>(
         &self,
         query: Query<S>,

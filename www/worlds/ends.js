@@ -55,7 +55,7 @@ export class Ends {
   /** Moves an end to what was typed; returns why that is refused, or nothing. @param {End} end @param {number} i @param {string} text */
   type(end, i, text) {
     if (!this.places) return "";
-    const [min, max] = i === 2 ? [-360, 360] : [this.bounds?.min[i] ?? null, this.bounds?.max[i] ?? null];
+    const [min, max] = i === 2 ? [-360, 360] : [this.rounded(this.bounds?.min[i]), this.rounded(this.bounds?.max[i])];
     const value = text.trim() === "" ? NaN : Number(text);
     const reason = reasonAgainst({ kind: "number", min, max, choices: null }, value);
     if (reason) return `${COORDINATES[i].name}: ${reason}`;
@@ -65,19 +65,23 @@ export class Ends {
     return "";
   }
 
+  /** A number as it is shown. @param {number | undefined} value */
+  rounded(value) {
+    return value === undefined ? null : Number(value.toFixed(decimalsIn(this.bounds)));
+  }
+
   /** Shows both ends, but for the field that is being typed in. @param {Places | null} places @param {Bounds | undefined} bounds */
   show(places, bounds) {
     this.places = places;
     this.bounds = bounds;
     this.element.hidden = !places;
     if (!places) return;
-    const decimals = decimalsIn(bounds);
     for (const { end, fields } of this.rows)
       for (const [i, { input, reason, unit, element }] of fields.entries()) {
         const value = places[end][i];
         element.hidden = value === undefined;
         if (input === document.activeElement) continue;
-        if (value !== undefined) input.value = String(Number((value / unit).toFixed(decimals)));
+        if (value !== undefined) input.value = String(this.rounded(value / unit));
         showReason(reason, input, "");
       }
   }

@@ -134,4 +134,4 @@ function overall(results) {
 }
 
 /** The world of a row, without its planner. @param {string} row */
-const placeOf = (row) => row.slice(row.indexOf(",") + 1).trim();
+export const placeOf = (row) => row.slice(row.indexOf(",") + 1).trim();

@@ -2,6 +2,7 @@
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
+import { placeOf } from "./aims.mjs";
 import { quantile, spread } from "./report.mjs";
 import { rows, writeWorlds } from "./worlds.mjs";
 
@@ -32,7 +33,7 @@ const firsts = rows.filter(({ name }) =>
 /** @type {Extra[]} */
 export const extras = [
   ...firsts.map((row) => ({
-    name: `First answer, ${row.name.slice(row.name.indexOf(",") + 2)}`,
+    name: `First answer, ${placeOf(row.name)}`,
     side: /** @type {const} */ ("node"),
     measure: (/** @type {Setting} */ setting) => firstAnswers(row, setting),
   })),
@@ -69,17 +70,8 @@ async function fleets({ native, node, Fleet, folder, isQuick }) {
   /** @type {number[][]} */
   const times = [];
   let longest = 0;
-  for (const [count, seed] of isQuick
-    ? [
-        [20, 0],
-        [30, 0],
-      ]
-    : [
-        [20, 0],
-        [200, 0],
-        [200, 1],
-        [200, 2],
-      ]) {
+  const halls = isQuick ? [[30, 0]] : [0, 1, 2].map((seed) => [200, seed]);
+  for (const [count, seed] of [[20, 0], ...halls]) {
     const fleet = Fleet.generate("hall", { count, seed });
     const file = join(folder, `hall-${count}-${seed}.json`);
     writeFileSync(file, JSON.stringify(fleet));
@@ -93,7 +85,11 @@ async function fleets({ native, node, Fleet, folder, isQuick }) {
   return [...compared(times.slice(1)), figure("Node, ms of the longest iteration", longest)];
 }
 
-/** The median of the times that a side replies; NaN without it, and if a run found nothing. @param {Side | undefined} side @param {string} job */
+/**
+ * The median of the times that a side replies; NaN without the side, and if a run found nothing.
+ * @param {Side | undefined} side
+ * @param {string} job
+ */
 async function milliseconds(side, job) {
   return side === undefined ? NaN : quantile((await side.reply(job)).seconds, 0.5) * 1e3;
 }

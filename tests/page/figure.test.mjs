@@ -7,7 +7,7 @@ import { Sheet, drawWhole } from "../../www/draw/sheet.js";
 /** @import { Brush, Drawing } from "../../www/draw/sheet.js" */
 /** @import { Palette } from "../../www/app/palette.js" */
 
-const LOOK = { palette: /** @type {Palette} */ ({}), ratio: 2 };
+const LOOK = { palette: /** @type {Palette} */ ({}), ratio: 2, bold: 1 };
 const SIZE = { width: 30, height: 20 };
 
 /**
@@ -185,7 +185,7 @@ test("labels of marks that lie close together are apart, within the figure and o
         words.push({ text, x, y }),
     })
   );
-  const area = { width: 300, height: 200 };
+  const area = { width: 300, height: 200, bold: 1 };
   const labels = Array.from({ length: 12 }, (_, i) => ({
     text: String(i + 1),
     x: 20 + 4 * Math.cos(i),
@@ -218,4 +218,12 @@ test("labels of marks that lie close together are apart, within the figure and o
   assert.deepEqual([words[0].x, words[0].y], [name.x, name.y], "one stays where it is to be");
   assert.ok(Math.hypot(words[1].x - name.x, words[1].y - name.y) >= 9);
   assert.equal(lines, 0);
+  words.length = 0;
+  drawLabels(context, labels, LOOK.palette, { width: 600, height: 400, bold: 2 });
+  for (const [i, one] of words.entries())
+    for (const other of words.slice(0, i))
+      assert.ok(
+        Math.abs(one.x - other.x) >= 18 || Math.abs(one.y - other.y) >= 28,
+        "twice as large, twice as far apart",
+      );
 });

@@ -36,6 +36,7 @@ export async function assertFaultless(page, state, side = 0) {
     if (look) await page.emulateMedia({ colorScheme: look[0] });
     await settled(page);
     assert.equal(await overhang(page), 0, `${state}, ${width} px`);
+    assert.deepEqual(await cutWords(page), [], `${state}, ${width} px`);
     if (look) assert.deepEqual(await violations(page), [], `${state}, ${look[0]}, ${width} px`);
     if (side > 0) await assertFigures(page, side, `${state}, ${width} px`);
   }
@@ -123,6 +124,21 @@ export async function assertKeys(page, most = 60) {
 /** How many pixels hang over. @param {Page} page */
 export const overhang = (page) =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+/** The words of charts that hang over their picture. @param {Page} page */
+const cutWords = (page) =>
+  page.locator("svg.chart").evaluateAll((all) =>
+    all
+      .filter((picture) => picture.checkVisibility())
+      .flatMap((picture) => {
+        const { left, right } = picture.getBoundingClientRect();
+        return Array.from(picture.querySelectorAll("text"))
+          .filter(
+            (text) => text.getBoundingClientRect().left < left - 1 || text.getBoundingClientRect().right > right + 1,
+          )
+          .map(({ textContent }) => `${picture.ariaLabel}: ${textContent}`);
+      }),
+  );
 
 /**
  * The figures take 60 % of the height and of the width at least, and all of them are in view.

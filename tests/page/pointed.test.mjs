@@ -1,7 +1,8 @@
 /** What is pointed at on the stage, and the planes that are shown. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drawAxes } from "../../www/draw/angles.js";
+import { AngleSquare } from "../../www/draw/angle-square.js";
+import { drawAxes, marginOf } from "../../www/draw/angles.js";
 import { View } from "planarium/draw";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
@@ -241,7 +242,7 @@ test("names of axes stand clear of the numbers in small squares, and grow with t
   });
   for (const scale of [1, 1.7]) {
     const side = 180 * scale;
-    const margin = { left: 34 * scale, right: 12 * scale, top: 12 * scale, bottom: 32 * scale };
+    const margin = marginOf(scale);
     const view = new View({ min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] }, side, side, margin, true);
     const context = new SvgContext(side, side);
     drawAxes(
@@ -270,5 +271,10 @@ test("names of axes stand clear of the numbers in small squares, and grow with t
       .toSorted(([a], [b]) => a - b);
     assert.equal(spans.length, 4);
     spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
+    // The square of the pages of kinematics and neighbours takes the scale from the brush.
+    const square = new SvgContext(side, side);
+    const brush = { context: square, palette: {}, width: side, height: side, ratio: 1, bold: scale };
+    new AngleSquare().drawSquare(/** @type {any} */ (brush), [arm(0), arm(1)]);
+    assert.ok(square.toString().includes(`${12 * scale}px`));
   }
 });

@@ -3,7 +3,7 @@
  * picture continues beyond each cut and shows how the angles wrap.
  */
 import { View } from "planarium/draw";
-import { MARGIN, drawAxes } from "./angles.js";
+import { drawAxes, marginOf } from "./angles.js";
 import { contoursOf, fillContours } from "./contours.js";
 import { drawLine, setStroke } from "./marks.js";
 import { NO_VIEW } from "./figure.js";
@@ -56,7 +56,7 @@ export class AngleSquare {
    * @param {Coordinate[]} coordinates
    * @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles
    */
-  drawSquare({ context, palette, width, height }, coordinates, imageOf = () => null) {
+  drawSquare({ context, palette, width, height, bold }, coordinates, imageOf = () => null) {
     this.coordinates = coordinates;
     const [low, high] = /** @type {const} */ (["low", "high"]).map((end) => coordinates.map((one) => one[end]));
     const strips = coordinates.map(({ isCircle }) => (isCircle ? STRIP : 0));
@@ -64,7 +64,7 @@ export class AngleSquare {
       { min: [low[0] - strips[0], low[1] - strips[1]], max: [high[0] + strips[0], high[1] + strips[1]] },
       width,
       height,
-      MARGIN,
+      marginOf(bold),
       true,
     ));
     const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({
@@ -91,7 +91,7 @@ export class AngleSquare {
     }
     context.setLineDash([]);
     context.fillStyle = palette.quiet;
-    drawAxes(context, view, outer, coordinates);
+    drawAxes(context, view, outer, coordinates, bold);
   }
 
   /**

@@ -4,8 +4,8 @@ import { drawLine } from "./marks.js";
 /** @import { Coordinate } from "../domain/types.js" */
 /** @import { View } from "planarium/draw" */
 
-/** The room that marks and names need around the square, CSS pixels. */
-export const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
+/** The room that marks and names need around the square, CSS pixels. @param {number} scale  of the words */
+export const marginOf = (scale) => ({ left: 34 * scale, right: 12 * scale, top: 12 * scale, bottom: 32 * scale });
 
 /** @param {Coordinate} coordinate */
 function titleOf({ name, unit }) {
@@ -18,9 +18,9 @@ function titleOf({ name, unit }) {
  * @param {View} view
  * @param {{ x: number, y: number, width: number, height: number }} square  CSS pixels
  * @param {Coordinate[]} coordinates  across and up
- * @param {number} [scale]  of the words
+ * @param {number} scale  of the words
  */
-export function drawAxes(context, view, { x, y, height }, [across, up], scale = 1) {
+export function drawAxes(context, view, { x, y, height }, [across, up], scale) {
   const bottom = y + height;
   context.lineWidth = 1;
   context.font = `${12 * scale}px system-ui, sans-serif`;

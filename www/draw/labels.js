@@ -9,7 +9,7 @@ import { drawLabel } from "./shapes.js";
  */
 /** @typedef {{ x: number, y: number, across: number, up: number }} Box   half of its sides */
 
-/** Half the size of a letter and of a line, CSS pixels. */
+/** Half the size of a letter and of a line, CSS pixels, where the scale of words is 1. */
 const LETTER = 4.5;
 const LINE = 8;
 /** Distances from the mark; a label farther away than the first has a line to it. */
@@ -24,23 +24,24 @@ const TURNS = [0, 1, -1, 2, -2, 3, -3, 4].map((eighth) => (eighth * Math.PI) / 4
  * @param {CanvasRenderingContext2D} context
  * @param {Label[]} labels
  * @param {Palette} palette
- * @param {{ width: number, height: number }} area  CSS pixels
+ * @param {{ width: number, height: number, bold: number }} area  CSS pixels, and the scale of words
  * @param {[x: number, y: number, radius: number][]} [marks]  to be kept free
  */
-export function drawLabels(context, labels, palette, { width, height }, marks = []) {
+export function drawLabels(context, labels, palette, { width, height, bold }, marks = []) {
   /** @type {Box[]} */
   const taken = marks.map(([x, y, radius]) => ({ x, y, across: radius, up: radius }));
   const placed = labels.map((label) => {
-    const size = { across: LETTER * label.text.length + 1, up: LINE };
+    const size = { across: bold * LETTER * label.text.length + 1, up: bold * LINE };
     /** @type {(Box & { isFar: boolean })[]} */
-    const offers = (label.isHere ? SHIFTS : DISTANCES).flatMap((far, i) =>
-      TURNS.map((turn) => ({
+    const offers = (label.isHere ? SHIFTS : DISTANCES).flatMap((distance, i) => {
+      const far = bold * distance;
+      return TURNS.map((turn) => ({
         ...size,
-        x: label.x + (far + size.across - LETTER) * Math.sin(turn),
+        x: label.x + (far + size.across - bold * LETTER) * Math.sin(turn),
         y: label.y - far * Math.cos(turn),
         isFar: i > 0 && !label.isHere,
-      })),
-    );
+      }));
+    });
     const isInside = (/** @type {Box} */ { x, y, across, up }) =>
       x >= across && x <= width - across && y >= up && y <= height - up;
     const box = offers.find((one) => isInside(one) && !taken.some((other) => overlaps(one, other))) ?? offers[0];
@@ -52,7 +53,7 @@ export function drawLabels(context, labels, palette, { width, height }, marks = 
     setStroke(context, colour, 1);
     drawLine(context, x, y, box.x, box.y);
   }
-  for (const { text, colour, box } of placed) drawLabel(context, text, box.x, box.y, colour, palette);
+  for (const { text, colour, box } of placed) drawLabel(context, text, box.x, box.y, colour, palette, bold);
 }
 
 /** @param {Box} one @param {Box} other */

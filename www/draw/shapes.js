@@ -193,10 +193,11 @@ export function drawTarget(context, x, y, orientation, palette) {
  * @param {number} y
  * @param {string} colour
  * @param {Palette} palette
+ * @param {number} [scale]  of the words
  */
-export function drawLabel(context, text, x, y, colour, palette) {
+export function drawLabel(context, text, x, y, colour, palette, scale = 1) {
   context.save();
-  context.font = "600 13px system-ui, sans-serif";
+  context.font = `600 ${13 * scale}px system-ui, sans-serif`;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineJoin = "round";

@@ -18,6 +18,7 @@ import { Snapshots } from "./snapshots.js";
  * @property {number} width
  * @property {number} height
  * @property {number} ratio   device pixels a CSS pixel
+ * @property {number} bold   scale of strong lines and of words, for projectors
  * @property {(colour: string) => CanvasPattern | null} hatch   diagonal lines
  */
 
@@ -48,7 +49,7 @@ import { Snapshots } from "./snapshots.js";
  * @property {boolean} [isRefined]   false until that is there
  */
 /** @typedef {{ width: number, height: number }} Size   CSS pixels */
-/** @typedef {{ palette: Palette, ratio: number }} SheetLook */
+/** @typedef {{ palette: Palette, ratio: number, bold: number }} SheetLook */
 /** How much to draw of logs: until a time of performance.now(), and rows at most. @typedef {{ until?: number, most?: number }} Share */
 
 /** The key of what is not drawn. */
@@ -136,6 +137,7 @@ export class Sheet {
     this.width = 0;
     this.height = 0;
     this.ratio = 1;
+    this.bold = 1;
     /** @type {Palette | null} */
     this.palette = null;
     /** Patterns by their colours. @type {Map<string, CanvasPattern | null>} */
@@ -145,8 +147,8 @@ export class Sheet {
   /** Sets size and colours; everything is to be drawn again. @param {Size} size @param {SheetLook} look */
   fit(size, look) {
     const { width, height } = size;
-    const { palette, ratio } = look;
-    Object.assign(this, { width, height, palette, ratio });
+    const { palette, ratio, bold } = look;
+    Object.assign(this, { width, height, palette, ratio, bold });
     this.hatches.clear();
     for (const one of Object.values(this.drawn)) {
       one.layer.fit(width, height, ratio);
@@ -218,7 +220,7 @@ export class Sheet {
 
   /** @param {CanvasRenderingContext2D} context @returns {Brush} */
   brush(context) {
-    const { width, height, ratio, hatches } = this;
+    const { width, height, ratio, bold, hatches } = this;
     const palette = /** @type {Palette} */ (this.palette);
     return {
       context,
@@ -226,6 +228,7 @@ export class Sheet {
       width,
       height,
       ratio,
+      bold,
       hatch(colour) {
         const known = hatches.get(colour);
         if (known !== undefined) return known;

@@ -10,8 +10,8 @@ import { drawTouchingParts } from "./shapes.js";
 /** @import { Palette } from "../app/palette.js" */
 /** @import { View } from "planarium/draw" */
 /**
- * @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null,
- *   onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles
+ * @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, bold: number,
+ *   onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles
  */
 /** @typedef {ScenarioDocument["world"]} World */
 
@@ -24,7 +24,7 @@ const MOST_NAMES = 3;
  * @param {() => void} draw  the robot
  */
 export function drawTouching(brush, { scenario, world, parts, touching }, draw) {
-  const { context, view, palette, onPart } = brush;
+  const { context, view, palette, bold, onPart } = brush;
   for (const { obstacle } of touching) drawTouched(brush, world, obstacle);
   draw();
   const hit = new Set(touching.map(({ part }) => part));
@@ -47,7 +47,7 @@ export function drawTouching(brush, { scenario, world, parts, touching }, draw) 
     names.push([obstacleName(obstacle), obstaclePlace(view, world.obstacles[obstacle], parts[part])]);
   }
   const labels = names.map(([text, [x, y]]) => ({ text, x, y, colour: palette.collision, isHere: true }));
-  drawLabels(context, labels, palette, view);
+  drawLabels(context, labels, palette, { width: view.width, height: view.height, bold });
 }
 
 /** @param {Brush} brush @param {World} world @param {number | "bounds"} obstacle */

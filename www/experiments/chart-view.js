@@ -20,8 +20,8 @@ const MOST_ROWS = 400;
 
 const drawing = once(() => import("./draw.js"));
 
-/** The height of a chart: a part of the window's and of its own width, at most, and pixels, at least. */
-const TALL = { ofWindow: 0.605, ofWidth: 0.75, pixels: 300 };
+/** The height of a chart: a part of the window's, or of the frame's, and of its own width, at most, and pixels, at least. */
+const TALL = { ofWindow: 0.605, ofFrame: 0.74, ofWidth: 0.75, pixels: 300 };
 
 export class ChartView {
   /**
@@ -83,7 +83,8 @@ export class ChartView {
     const { palette, bold } = this.app.look;
     const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));
-    const height = Math.round(Math.max(TALL.pixels, Math.min(TALL.ofWindow * innerHeight, TALL.ofWidth * width)));
+    const part = document.documentElement.classList.contains("embed") ? TALL.ofFrame : TALL.ofWindow;
+    const height = Math.round(Math.max(TALL.pixels, Math.min(part * innerHeight, TALL.ofWidth * width)));
     const picture = chart && drawChart(chart, { width, height, palette, bold });
     this.chart = chart;
     this.picture = picture;

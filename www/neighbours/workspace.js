@@ -88,7 +88,7 @@ export class Workspace {
   }
 
   /** @param {Brush} brush */
-  drawTop({ context, palette }) {
+  drawTop({ context, palette, width, height, bold }) {
     const { session, view } = this;
     if (!session.isAsking) return;
     const { scenario, missed, q } = session;
@@ -134,7 +134,7 @@ export class Workspace {
       const [x, y] = tipOf(i);
       return { text: String(rank + 1), x, y, colour: colourOf(i) };
     });
-    drawLabels(context, labels, palette, view, [
+    drawLabels(context, labels, palette, { width, height, bold }, [
       ...handles.map(([x, y]) => /** @type {[number, number, number]} */ ([x, y, 9])),
       ...labels.map(({ x, y }) => /** @type {[number, number, number]} */ ([x, y, 4])),
     ]);

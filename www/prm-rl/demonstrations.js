@@ -23,8 +23,6 @@ export class Demonstrations {
   /** @param {NavigationSession} session */
   constructor(session) {
     this.session = session;
-    /** Scale of strong lines, for projectors. */
-    this.bold = 1;
     /** Seconds of the drives; those of others would be shorter or longer. Infinity: their ends. */
     this.time = Infinity;
     this.columns = 4;
@@ -84,7 +82,7 @@ export class Demonstrations {
 
   /** @param {Brush} brush */
   drawTop(brush) {
-    const { context, palette } = brush;
+    const { context, palette, bold } = brush;
     const { training } = this.session;
     training.demonstrations.forEach((drive, i) =>
       this.within(brush, drive, i, (view) => {
@@ -92,7 +90,7 @@ export class Demonstrations {
         const { time_step: step = 0.2 } = robot;
         drawStart(context, ...view.place([drive.trace[0], drive.trace[1]]), palette);
         drawGoal(context, ...view.place(drive.goal), palette);
-        drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
+        drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * bold, alpha: 1 });
         const hasEnded = this.time >= drive.time;
         // Failures are marked on top of the robot.
         if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);

@@ -23,8 +23,6 @@ export class Floor {
   /** @param {NavigationSession} session */
   constructor(session) {
     this.session = session;
-    /** Scale of strong lines, for projectors. */
-    this.bold = 1;
     this.view = NO_VIEW;
   }
 
@@ -137,12 +135,12 @@ export class Floor {
   }
 
   /** @param {Brush} brush */
-  drawTop({ context, palette }) {
-    const { session, view, bold } = this;
+  drawTop({ context, palette, bold }) {
+    const { session, view } = this;
     const { task, document, run, start, goal, refusal, time, selected, edge } = session;
     if (!task || !document) return;
     if (session.part === "compare") return this.drawQueries(context, palette);
-    this.drawPath(context, palette);
+    this.drawPath(context, palette, bold);
     const timeStep = document.robot.time_step ?? 0.2;
     const rows = time / timeStep + 1;
     run.drives.forEach((drive, i) => {
@@ -224,11 +222,11 @@ export class Floor {
    * The path: a learned one has the colour of what is not proven.
    * @param {CanvasRenderingContext2D} context
    * @param {Palette} palette
+   * @param {number} bold  scale of strong lines
    */
-  drawPath(context, palette) {
+  drawPath(context, palette, bold) {
     const {
       view,
-      bold,
       session: {
         run: { path },
         way,

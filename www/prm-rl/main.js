@@ -92,9 +92,6 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
     paceText: (pace) => `${pace.toFixed(1)}\u00d7`,
   });
   const lesson = new Lesson(app, session, play);
-  app.onTheme(() => {
-    floor.bold = demonstrations.bold = app.look.bold;
-  });
 
   byId("parts", HTMLElement).append(
     ...PARTS.map(([part, title]) => button(`part-${part}`, title, () => session.setPart(part))),

@@ -14,7 +14,8 @@ import { num } from "../widgets/format.js";
 /** @import { IkRun } from "./ik-run.js" */
 /** @import { ReachSession } from "./session.js" */
 
-const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
+/** The room that names and limits need, CSS pixels. @param {number} scale  of the words */
+const marginOf = (scale) => ({ left: 34 * scale, right: 24 * scale, top: 26 * scale, bottom: 44 * scale });
 /** Configurations tested along each axis. */
 const TESTS = 72;
 /** Half the width of a stretch in collision, CSS pixels. */
@@ -54,11 +55,11 @@ export class ParallelAxes {
   }
 
   /** @param {Brush} brush */
-  drawGround({ context, palette, width, height }) {
+  drawGround({ context, palette, width, height, bold }) {
     const { coordinates } = this.session.robot;
-    this.view = new View({ min: [0, 0], max: [coordinates.length - 1, 1] }, width, height, MARGIN, true);
-    const isNarrow = width / coordinates.length < 64;
-    context.font = "12px system-ui, sans-serif";
+    this.view = new View({ min: [0, 0], max: [coordinates.length - 1, 1] }, width, height, marginOf(bold), true);
+    const isNarrow = width / coordinates.length < 64 * bold;
+    context.font = `${12 * bold}px system-ui, sans-serif`;
     context.fillStyle = palette.quiet;
     setStroke(context, palette.obstacleEdge, 1.4);
     const first = coordinates.findIndex(({ isCircle }) => isCircle);

@@ -59,7 +59,7 @@ export class Workspace {
       touching: robot.check.touching,
     };
     drawTouching(
-      { context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) },
+      { context, view, palette, bold: brush.bold, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) },
       shown,
       () => drawRobot(context, view, robot.parts, palette),
     );

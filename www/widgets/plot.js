@@ -9,6 +9,8 @@ import { numberText, superscript } from "./format.js";
 const ROOM = { top: 10, right: 28, bottom: 38, left: 56 };
 /** Least distance between labels. */
 const APART = 13;
+/** Width of a bold letter on average, at most, in parts of the page's letters. */
+const LETTER = 0.54;
 /** Decades of a logarithmic axis, at most. */
 const DECADES = 16;
 /** Points of a line, about. */
@@ -91,12 +93,13 @@ export function drawLines(lines, across, up, { width, height, isTimeline, isSmoo
  * @param {number} width
  */
 function labelsOf(ends, width) {
+  const letter = LETTER * parseFloat(getComputedStyle(document.documentElement).fontSize);
   return ends
     .sort((a, b) => a.y - b.y)
     .map((end, i) => {
       const above = ends.slice(0, i).findLast((other) => Math.abs(other.x - end.x) < 4 * APART);
       if (above) end.y = Math.max(end.y, above.y + APART);
-      const isInside = end.x + 6 + 7 * end.label.length > width;
+      const isInside = end.x + 6 + letter * end.label.length > width;
       const [dx, dy, anchor] = isInside ? [-6, -6, "end"] : [6, 4, "start"];
       return makeSvg("text", { class: "end", x: end.x + dx, y: end.y + dy, "text-anchor": anchor }, end.label);
     });

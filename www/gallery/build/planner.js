@@ -175,7 +175,7 @@ function drawingOf(pane, run, state, most) {
         steering: shown.driven?.steering ?? 0,
       })
     );
-    pane.layout(brush, { ...brush, bold: 1, calm: true });
+    pane.layout(brush, { ...brush, calm: true });
     const { ground, top } = pane.layers;
     const clip = (/** @type {CanvasRenderingContext2D} */ context) => pane.clip(context);
     const growth = { clip, logs: planner ? [{ count: 1, append: () => drawGrowth(brush, pane, planner, most) }] : [] };

@@ -38,6 +38,7 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
       width,
       height,
       ratio: 1,
+      bold: 1,
       hatch: (colour) => hatch(context, colour, 1),
     });
     context.restore();

@@ -5,7 +5,7 @@
  */
 import { View } from "planarium/draw";
 import { coordinatesOf } from "../../domain/coordinates.js";
-import { MARGIN, drawAxes } from "../../draw/angles.js";
+import { drawAxes, marginOf } from "../../draw/angles.js";
 import { addLine, cross, drawDot, setStroke } from "../../draw/marks.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
@@ -71,15 +71,12 @@ export class CSpace extends Pane {
     this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
     this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
     const [x, y] = this.named;
-    const margin = /** @type {typeof MARGIN} */ (
-      Object.fromEntries(Object.entries(MARGIN).map(([side, room]) => [side, room * this.bold]))
-    );
     // Two coordinates in metres have the same scale.
     return new View(
       { min: [x.low, y.low], max: [x.high, y.high] },
       width,
       height,
-      margin,
+      marginOf(this.bold),
       x.unit !== "m" || y.unit !== "m",
     );
   }

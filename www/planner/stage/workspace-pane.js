@@ -156,7 +156,7 @@ export class Workspace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @returns {Brush | null} */
   brush(context) {
-    const { view, palette } = this;
-    return view && palette && { context, view, palette, onPart: this.hatchOnPart, onObstacle: this.hatchOnObstacle };
+    const { view, palette, bold, hatchOnPart: onPart, hatchOnObstacle: onObstacle } = this;
+    return view && palette && { context, view, palette, bold, onPart, onObstacle };
   }
 }

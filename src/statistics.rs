@@ -19,6 +19,9 @@ const PRECISION: f64 = 0.05;
 /// The level below which a difference is called significant, before it is divided by the number of tests.
 const LEVEL: f64 = 0.05;
 
+/// Values that differ by at most this share of the larger one are equal.
+const EQUAL: f64 = 1e-9;
+
 /// Up to this number of differences the distribution of signed ranks is computed exactly: their sums, in doubled ranks, are
 /// counted in 64-bit floats without rounding.
 const EXACT: usize = 50;
@@ -258,12 +261,13 @@ pub struct Names<'a> {
 
 /// Compares two samples pair by pair; entries with the same index belong to the same trial. `tests` is how many comparisons are
 /// made together: a difference is called significant if its p-value is at most 5 % divided by it (Bonferroni's correction).
+/// Values that differ by at most 1e-9 of the larger one are equal: the same path, whose length was summed in another order.
 ///
 /// The sign test is exact. Wilcoxon's test (F. Wilcoxon, "Individual comparisons by ranking methods", 1945) drops pairs without a
 /// difference and gives equal sizes their mean rank; it is exact for up to 50 differences, equal sizes included, and the normal
 /// approximation with the correction for equal sizes for more. O(n log n), exact O(n^3) for n up to 50.
 pub fn paired(a: &[f64], b: &[f64], names: Names, tests: u64) -> Paired {
-    let (differences, missing) = present(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
+    let (differences, missing) = present(&a.iter().zip(b).map(|(a, b)| difference(*a, *b)).collect::<Vec<_>>());
     let count = |wanted| differences.iter().filter(|value| value.partial_cmp(&&0.0) == Some(wanted)).count() as u64;
     let (smaller, larger) = (count(Ordering::Less), count(Ordering::Greater));
     let sign_p = sign_test(smaller, larger);
@@ -272,6 +276,12 @@ pub fn paired(a: &[f64], b: &[f64], names: Names, tests: u64) -> Paired {
     let median = quartiles(&differences).values.map(|five| five[2]);
     let words = in_words(names, [n, smaller, larger], wilcoxon_p, tests.max(1));
     Paired { n, missing, smaller, larger, median, sign_p, wilcoxon_p, words }
+}
+
+/// The difference of two values; 0 where only rounding makes it.
+fn difference(a: f64, b: f64) -> f64 {
+    let difference = a - b;
+    if difference.is_finite() && difference.abs() <= EQUAL * a.abs().max(b.abs()) { 0.0 } else { difference }
 }
 
 fn in_words(Names { a, b, measure }: Names, [n, smaller, larger]: [u64; 3], p: f64, tests: u64) -> String {

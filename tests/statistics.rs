@@ -113,5 +113,8 @@ fn a_comparison_says_in_words_what_is_shown() {
     let same = paired(&a, &a, NAMES, 1);
     assert_eq!((same.sign_p, same.wilcoxon_p, same.median), (1.0, 1.0, Some(0.0)));
     assert!(same.words.contains("equal in 10. A difference is not shown"), "{}", same.words);
+    let rounded = [5.5, 5.500000000000001, 5.499999999999999, -5.500000000000001, 0.0, 1e-300, f64::INFINITY];
+    let found = paired(&rounded, &[5.5, 5.5, 5.5, -5.5, 0.0, 2e-300, 1.0], NAMES, 1);
+    assert_eq!((found.n, found.smaller, found.larger), (7, 1, 1), "only rounding makes no difference");
     assert_eq!(paired(&[f64::NAN], &[1.0], NAMES, 1).words, "No pair has a length of both one and other.");
 }

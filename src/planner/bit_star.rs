@@ -11,7 +11,7 @@ use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
 use super::growth::{GOAL, Growth, START};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::near::{Near, NearRule, Nearness, find_near_in_any_order};
+use super::near::{Near, NearRule, Nearness, Order, find_near};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
 use crate::graph::{Ordered, VertexId};
@@ -217,7 +217,7 @@ impl<S: Space> BitStar<S> {
         let Some(state) = best.growth.if_free(problem, iteration, Sample { state, known }) else { return };
         let mut found = std::mem::take(&mut self.found);
         let from = (Direction::In, &state);
-        find_near_in_any_order(problem, &mut self.best.growth, &self.index, from, self.neighbourhood, &mut found);
+        find_near(problem, &mut self.best.growth, &self.index, from, (self.neighbourhood, Order::Any), &mut found);
         let vertex = self.best.growth.graph.add_vertex(iteration, state);
         self.insert(problem, vertex, &state, node);
         for near in &found {
@@ -234,7 +234,7 @@ impl<S: Space> BitStar<S> {
         let state = self.best.expand(iteration, vertex);
         let mut found = std::mem::take(&mut self.found);
         let from = (Direction::Out, &state);
-        find_near_in_any_order(problem, &mut self.best.growth, &self.index, from, self.neighbourhood, &mut found);
+        find_near(problem, &mut self.best.growth, &self.index, from, (self.neighbourhood, Order::Any), &mut found);
         self.nodes[vertex.index()].is_expanded = true;
         for near in &found {
             self.queue_edge(vertex, near.vertex, near.distance);

@@ -8,7 +8,7 @@ use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
 use super::growth::{Growth, START, goals};
 use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::near::{Near, NearRule, Nearness, find_near};
+use super::near::{Near, NearRule, Nearness, Order, find_near};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
 use crate::graph::{Ordered, VertexId};
@@ -171,7 +171,14 @@ impl<S: Space> FmtStar<S> {
         let around = &mut self.around[vertex.index()];
         if around.is_empty() {
             let state = self.best.growth.state(vertex);
-            find_near(problem, &mut self.best.growth, &self.index, (Direction::In, &state), neighbourhood, around);
+            find_near(
+                problem,
+                &mut self.best.growth,
+                &self.index,
+                (Direction::In, &state),
+                (neighbourhood, Order::Sorted),
+                around,
+            );
             for near in &mut *around {
                 *near = self.best.priced(problem, *near, &state);
             }
@@ -188,7 +195,14 @@ impl<S: Space> FmtStar<S> {
         let state = self.best.expand(iteration, vertex);
         let mut found = Vec::new();
         let neighbourhood = self.near.in_march(self.stages.len());
-        find_near(problem, &mut self.best.growth, &self.index, (Direction::Out, &state), neighbourhood, &mut found);
+        find_near(
+            problem,
+            &mut self.best.growth,
+            &self.index,
+            (Direction::Out, &state),
+            (neighbourhood, Order::Sorted),
+            &mut found,
+        );
         Expanding { vertex, neighbourhood, found: found.into_iter(), joined: Vec::new() }
     }
 

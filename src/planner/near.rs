@@ -105,37 +105,29 @@ impl Near {
     }
 }
 
-/// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with
-/// itself.
+/// Whether the neighbours that are found are in order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    /// The nearest first.
+    Sorted,
+    /// As the index visits them, which takes no time to sort.
+    Any,
+}
+
+/// The neighbours of a state, by motions in one direction, into `found`; those of an indexed vertex are with itself.
 pub(super) fn find_near<S: Space>(
     problem: &Problem<S>,
     growth: &mut Growth<S>,
     index: &Index,
     (direction, state): (Direction, &S::State),
-    neighbourhood: Neighbourhood,
+    (neighbourhood, order): (Neighbourhood, Order),
     found: &mut Vec<Neighbour>,
 ) {
     let query = Query { space: problem.space(), states: growth.graph.states(), direction, from: state };
-    let visited = index.find(query, neighbourhood, found);
-    note_query(problem, growth, visited, found);
-}
-
-/// The same in any order.
-pub(super) fn find_near_in_any_order<S: Space>(
-    problem: &Problem<S>,
-    growth: &mut Growth<S>,
-    index: &Index,
-    (direction, state): (Direction, &S::State),
-    neighbourhood: Neighbourhood,
-    found: &mut Vec<Neighbour>,
-) {
-    let query = Query { space: problem.space(), states: growth.graph.states(), direction, from: state };
-    let visited = index.find_in_any_order(query, neighbourhood, found);
-    note_query(problem, growth, visited, found);
-}
-
-/// Counts a query with the vertices that it visited and found.
-fn note_query<S: Space>(problem: &Problem<S>, growth: &mut Growth<S>, visited: usize, found: &[Neighbour]) {
+    let visited = match order {
+        Order::Sorted => index.find(query, neighbourhood, found),
+        Order::Any => index.find_in_any_order(query, neighbourhood, found),
+    };
     growth.counters.nearest_queries += 1;
     growth.note_visited(problem.space(), visited);
     growth.looked += found.len() as u64;

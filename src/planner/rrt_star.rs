@@ -7,7 +7,7 @@ use super::best_tree::BestTree;
 use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, Termination};
 use super::growth::{Growth, START, goals};
 use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
-use super::near::{Near, NearRule, Nearness, find_near};
+use super::near::{Near, NearRule, Nearness, Order, find_near};
 use super::stride::Strides;
 use super::{Planner, Status};
 use crate::error::Error;
@@ -150,7 +150,14 @@ impl<S: Space> RrtStar<S> {
             cost => cost,
         };
         let near = self.near.in_tree(Nearest::<S>::len(&self.index) + 1, cost, self.strides.longest());
-        find_near(problem, &mut self.best.growth, &self.index, (direction, state), near, &mut self.found);
+        find_near(
+            problem,
+            &mut self.best.growth,
+            &self.index,
+            (direction, state),
+            (near, Order::Sorted),
+            &mut self.found,
+        );
     }
 
     /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless

@@ -3,10 +3,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ceilingOf, tasksOf } from "../../www/experiments/ceiling.js";
 import { captionOf } from "../../www/experiments/chart-view.js";
+import { LOG } from "../../www/experiments/charts/parts.js";
 import { bySettings } from "../../www/experiments/charts/summaries.js";
 import { CHARTS, chartOf, completed, remarkOf } from "../../www/experiments/charts.js";
 import { commonTrials } from "../../www/experiments/common.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
+import { subjectOf } from "../../www/experiments/words.js";
 import { Rows } from "../../www/experiments/rows.js";
 import { small } from "./experiments.mjs";
 
@@ -30,7 +32,7 @@ test("what is put across is not up any more: another factor is", () => {
   assert.deepEqual(shown("world", "world", [factors[1]]), ["success", "world", undefined]);
 });
 
-test("settings without a path are no baseline; four sentences are enough for any number of settings", () => {
+test("settings without a path are no baseline; three sentences are enough for any number of settings", () => {
   const rows = new Rows(["planner", "seed", "status", "length"], 12);
   // Two settings without paths, and two with them.
   for (let trial = 0; trial < 12; trial++)
@@ -81,7 +83,8 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
     assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
     const captionWhile = (/** @type {number} */ uncertified) =>
       captionOf(chart, { document: small, view: {}, ceiling: null, rows, uncertified });
-    const subject = "PRM, RRT-Connect; Two links among stones, made; 8 trials.";
+    const subject =
+      "PRM (samples 40), RRT-Connect (max iterations 60); Two links among stones, made (count 20); 8 trials.";
     assert.equal(captionWhile(0), `${subject} ${remarkOf(chart)}`, id);
     const isOfPaths = chart.measure === "solved" || chart.kind.isOfAll === true;
     assert.equal(captionWhile(2).endsWith("still being examined."), isOfPaths, id);
@@ -91,8 +94,80 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
   }
 });
 
+test("a caption says what was run, and how many trials these are", () => {
+  assert.match(
+    subjectOf({ document: small, rows: new Rows([], 48) }),
+    /; 48 trials \(3 settings x 2 worlds x 8 seeds\)\.$/,
+  );
+});
+
+test("sentences name all that share an end, tell values apart, and do not add metres to radians", () => {
+  const settings = ["a", "b", "c"];
+  const worlds = ["u", "v"];
+  const rows = new Rows(["planner", "world", "seed", "status", "length", "cost", "motion_checks"], 24);
+  for (let trial = 0; trial < 24; trial++) {
+    const [planner, world, seed] = [trial % 3, Math.floor(trial / 3) % 2, Math.floor(trial / 6)];
+    // The lengths of a and b differ by rounding alone; those of u are five times as long as those of v.
+    const length = (world === 0 ? 5 : 1) * (planner === 2 ? 1.2 : 1.1) + (planner === 1 ? 1e-15 : 0);
+    const solved = planner < 2 || seed < 3;
+    rows.set(
+      trial,
+      [settings[planner], worlds[world], seed, solved ? "solved" : "failed", length, null, 1700 + 2 * planner],
+      [0, 0],
+    );
+  }
+  const of = (/** @type {string} */ column, /** @type {string[]} */ values) => ({
+    column,
+    title: column,
+    unit: "",
+    values,
+    isNumeric: false,
+  });
+  const factors = [of("planner", settings), of("world", worlds)];
+  const said = (/** @type {string} */ measure, view = {}) => comparisons(rows, factors, measure, view).sentences;
+  const [extremes, pair, , byWorld] = said("length", { unit: "m", other: "b" });
+  assert.match(
+    extremes,
+    /^The median of path length is smallest for a and b, 3\.3 m \(n = 8\), and largest for c, 3\.6 m \(n = 6\)/,
+  );
+  assert.match(pair, /smaller than that of a in 0 of 8 pairs that both solved, larger in 0, equal in 8/);
+  assert.equal(
+    byWorld,
+    "Median of path length in each world, smallest first: u: a 5.5 m, b 5.5 m, c 6 m; v: a 1.1 m, b 1.1 m, c 1.2 m.",
+  );
+  const mixed = said("length", { isMixed: true });
+  assert.equal(mixed.length, 2);
+  assert.match(mixed[0], /different units/);
+  assert.match(mixed[1], /^Median of path length in each world/);
+  assert.deepEqual(said("cost"), ["No trial has a value of path cost."]);
+  assert.match(said("motion_checks")[0], /smallest for a, 1,700 \(n = 8\), and largest for c, 1,704 \(n = 6\)/);
+  assert.match(said("solved")[0], /largest for a and b, 100 % of 8, and smallest for c, 75 % of 8\./);
+});
+
+test("a logarithmic axis has round ticks, and its caption says where values of 0 are", () => {
+  const { tickFormat } = LOG;
+  assert.deepEqual([0.1, 0.2, 0.3, 0.4, 0.5, 1, 3, 50, 70, 1000].map(tickFormat), [
+    "0.1",
+    "0.2",
+    "",
+    "",
+    "0.5",
+    "1",
+    "",
+    "50",
+    "",
+    "1,000",
+  ]);
+  const rows = new Rows(["planner", "seed", "status", "length", "iterations"], 4);
+  for (let trial = 0; trial < 4; trial++) rows.set(trial, ["a", trial, "solved", trial, 1], [0, 0]);
+  const shown = (/** @type {boolean} */ isLog) =>
+    remarkOf(chartOf(rows, [], { chart: "box", measure: "length", isLog }, ["length"], "m"));
+  assert.match(shown(true), / Values of 0 lie on the edge of the logarithmic axis\./);
+  assert.doesNotMatch(shown(false), /Values of 0/);
+});
+
 test("one more chart is one object in the table", () => {
-  const rows = new Rows(["planner", "seed", "status", "length"], 4);
+  const rows = new Rows(["planner", "seed", "status", "length", "iterations"], 4);
   for (let trial = 0; trial < 4; trial++) rows.set(trial, ["ab"[trial % 2], trial >> 1, "solved", 1 + trial], [0, 0]);
   const factor = { column: "planner", title: "planner", unit: "", values: ["a", "b"], isNumeric: false };
   /** @type {import("../../www/experiments/charts.js").Chart} */

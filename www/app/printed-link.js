@@ -24,11 +24,13 @@ export function printLink(save, encode) {
   let timer = 0;
   /** The state whose link is shown, as JSON. */
   let shown = "";
+  // The counters of a run come to rest with it, while the robot still drives along the path.
+  const run = document.getElementById("counters") ?? document.body;
   const watch = () => {
     clearTimeout(timer);
-    if (document.body.dataset.settled === "true") timer = window.setTimeout(() => void renew(), REST);
+    if (run.dataset.settled === "true") timer = window.setTimeout(() => void renew(), REST);
   };
-  new MutationObserver(watch).observe(document.body, { attributeFilter: ["data-settled"] });
+  new MutationObserver(watch).observe(run, { attributeFilter: ["data-settled"] });
   watch();
   addEventListener("beforeprint", () => {
     if (shown === "" || JSON.stringify(save()) !== shown) show("", "The page was still at work when it was printed.");

@@ -20,7 +20,11 @@ export class Projector {
         className: "quiet",
         ariaPressed: "false",
         title: "Large text and bold lines for a lecture; Escape exits",
-        onclick: () => this.turn(!isProjected()),
+        onclick: ({ detail }) => {
+          this.turn(!isProjected());
+          // After a click of the mouse Space plays, rather than leaving the mode again.
+          if (detail > 0) document.getElementById("stage")?.focus({ preventScroll: true });
+        },
       },
       "Projector",
     );

@@ -1,7 +1,8 @@
 /**
- * The slides of a class: one question and one live page each. The arrow keys turn the slides and A shows the answer;
- * after Escape in the live page the keys belong to the slides again. The fragment is the number of the slide. On paper
- * each question has a code that opens its page.
+ * The slides of a class: one question and one live page each. The arrow keys turn the slides, A shows the answer and
+ * Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
+ * Escape there all keys belong to the slides again. The fragment is the number of the slide. On paper each question has
+ * a code that opens its page.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).
@@ -30,6 +31,9 @@ function load() {
   document.body.dataset.settled = "false";
   const frame = Object.assign(document.createElement("iframe"), { title });
   frame.addEventListener("load", () => {
+    frame.contentWindow?.addEventListener("keydown", (event) => {
+      if (event.key.startsWith("Page") && !event.defaultPrevented) turnBy(event);
+    });
     document.body.dataset.settled = "true";
   });
   frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
@@ -53,6 +57,18 @@ function turnTo(index) {
   history.replaceState(null, "", `#${at + 1}`);
 }
 
+/** Turns the slides by a key. @param {KeyboardEvent} event */
+function turnBy({ key }) {
+  if (key === "ArrowRight" || key === "PageDown") turnTo(at + 1);
+  else if (key === "ArrowLeft" || key === "PageUp") turnTo(at - 1);
+}
+
+/** Plays or pauses the live page. */
+function play() {
+  const [frame] = byId("frame", HTMLElement).getElementsByTagName("iframe");
+  /** @type {HTMLButtonElement | null | undefined} */ (frame?.contentDocument?.querySelector("#play, #run"))?.click();
+}
+
 /** The codes of all pages: they are drawn with the first print. */
 function drawCodes() {
   if (document.querySelector(".slide svg")) return;
@@ -70,11 +86,14 @@ answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true")
 previous.addEventListener("click", () => turnTo(at - 1));
 next.addEventListener("click", () => turnTo(at + 1));
 addEventListener("hashchange", open);
-addEventListener("keydown", ({ key, ctrlKey, metaKey, altKey }) => {
+addEventListener("keydown", (event) => {
+  const { key, target, ctrlKey, metaKey, altKey } = event;
   if (ctrlKey || metaKey || altKey) return;
-  if (key === "ArrowRight" || key === "PageDown") turnTo(at + 1);
-  else if (key === "ArrowLeft" || key === "PageUp") turnTo(at - 1);
-  else if (key === "a" || key === "A") answer.click();
+  if (key === "a" || key === "A") answer.click();
+  else if (key === " " && !(target instanceof HTMLButtonElement)) {
+    event.preventDefault();
+    play();
+  } else turnBy(event);
 });
 addEventListener("beforeprint", drawCodes);
 matchMedia("print").addEventListener("change", drawCodes);

@@ -79,9 +79,10 @@ export class ChartView {
     const { session, host } = this;
     const { drawChart, captioned } = await drawing();
     const began = performance.now();
-    const { rows, factors, view, asked, unit, ceiling } = session;
+    const { rows, factors, view, asked, isMixed, ceiling, measures } = session;
+    const unit = isMixed ? "units differ" : session.unit;
     const { palette, bold } = this.app.look;
-    const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling) : null;
+    const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling, measures) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));
     const part = document.documentElement.classList.contains("embed") ? TALL.ofFrame : TALL.ofWindow;
     const height = Math.round(Math.max(TALL.pixels, Math.min(part * innerHeight, TALL.ofWidth * width)));

@@ -135,10 +135,11 @@ export function completed(view, factors, asked, all) {
  * @param {string[]} asked
  * @param {string} lengthUnit
  * @param {{ most: number } | null} [ceiling]  per cent of trials that can be solved
+ * @param {string[]} [measures]  that are offered
  * @returns {ChartData}
  */
-export function chartOf(rows, factors, view, asked, lengthUnit, ceiling = null) {
-  const { isLog, isCommon, ...what } = completed(view, factors, asked, allMeasures(rows.columns));
+export function chartOf(rows, factors, view, asked, lengthUnit, ceiling = null, measures = allMeasures(rows.columns)) {
+  const { isLog, isCommon, ...what } = completed(view, factors, asked, measures);
   const { kind, axis, measure } = what;
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   const by = kind.groupedBy ? kind.groupedBy(axis) : axis;
@@ -205,11 +206,21 @@ export function countsOf({ counts: { least, most } }) {
   return least === most ? `n = ${grouped(most)} each` : `n = ${grouped(least)} to ${grouped(most)}`;
 }
 
+/** Whether a logarithmic axis has no place for some values. @param {ChartData} chart */
+function hasZero({ across, up, summaries, distributions, points }) {
+  const [ups, acrosses] = [
+    [...summaries.flatMap(({ least, low, middle }) => [least, low, middle]), ...points.map(({ value }) => value)],
+    [...distributions.flatMap(({ values }) => values), ...points.map(({ work }) => work)],
+  ];
+  return (up.isLog && ups.includes(0)) || (across.isLog && acrosses.includes(0));
+}
+
 /** What a chart shows, in sentences. @param {ChartData} chart */
 export function remarkOf(chart) {
   const { kind, common, counted: all } = chart;
   const sentences = [kind.remark(chart)];
   if (all.length > 0) sentences.push(`${countsOf(chart)}.`);
+  if (hasZero(chart)) sentences.push("Values of 0 lie on the edge of the logarithmic axis.");
   if (chart.ceiling !== null) sentences.push("Dotted line: what can be solved at most.");
   if (common) {
     const { pairs, settings, left } = common;

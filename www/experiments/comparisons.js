@@ -1,9 +1,10 @@
-/** The result in at most four sentences: the extremes, two settings in pairs, and all against the first of the two. */
+/** The result in a few sentences: the extremes, two settings in pairs, all against the first of the two, and each world. */
 import { paired, quartiles } from "planarium/full";
+import { grouped, listed } from "../app/dom.js";
 import { TASK, pairsOf, settingsOf } from "./common.js";
-import { groupsOf, labelOf } from "./factors.js";
-import { SOLVED, isShare, measureInfo, nounOf } from "./measures.js";
-import { sampleOf } from "./tables.js";
+import { groupsOf, labelOf, wordOf } from "./factors.js";
+import { SOLVED, inUnit, isShare, measureInfo, nounOf } from "./measures.js";
+import { clean, sampleOf } from "./tables.js";
 
 /** @import { Factor } from "./factors.js" */
 /** @import { Rows } from "./rows.js" */
@@ -12,8 +13,11 @@ import { sampleOf } from "./tables.js";
 
 /** The level of a test, before it is divided by their number. */
 const LEVEL = 0.05;
-/** Settings that a sentence names, at most. */
+/** Settings that a sentence names, at most, and worlds. */
 const NAMES = 3;
+const WORLDS = 5;
+/** Values that differ by at most this share are equal: only rounding makes them differ. */
+const EQUAL = 1e-9;
 
 /**
  * Without a name the first of the two is the first setting with a path in at least half of its trials, or else the one
@@ -21,11 +25,20 @@ const NAMES = 3;
  * @param {Rows} rows
  * @param {Factor[]} factors
  * @param {string} measure
- * @param {{ baseline?: string, other?: string, which?: Uint8Array | null }} [view]  names, and the trials that count
+ * @param {{ baseline?: string, other?: string, which?: Uint8Array | null, unit?: string, isMixed?: boolean }} [view]
+ *   names, the trials that count, the unit of lengths, and whether lengths are in several units
  * @returns {{ sentences: string[], names: string[], baseline: string, other: string }}  the names of all settings, and
  *   of the two
  */
-export function comparisons(rows, factors, measure, { baseline, other, which = null } = {}) {
+export function comparisons(
+  rows,
+  factors,
+  measure,
+  { baseline, other, which = null, unit = "", isMixed = false } = {},
+) {
+  const { title, unit: own } = measureInfo(measure, unit);
+  const what = { measure, title, unit: own };
+  const isPooled = !isMixed || !inUnit(measure);
   const all = settingsOf(rows, factors).map((one) =>
     which ? { ...one, trials: one.trials.filter((trial) => which[trial]) } : one,
   );
@@ -37,7 +50,7 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
     const sentences =
       groups.length > 1
         ? [
-            extremes(rankedBy(rows, groups, measure), measure),
+            isPooled ? extremes(rankedBy(rows, groups, measure), what) : UNITS,
             "Trials in different worlds cannot be paired, so nothing is tested.",
           ]
         : ["A comparison needs trials of two settings."];
@@ -47,6 +60,7 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
   const most = all.reduce((best, one) => (one.share > best.share ? one : best));
   const base = all.find(({ name }) => name === baseline) ?? all[half] ?? most;
   const ranked = rankedBy(rows, all, measure);
+  const worlds = byWorld(rows, factors, all, what);
   const chosen = all.find(({ name }) => name === other && name !== base.name);
   const [best, worst] = [ranked[0] ?? most, ranked[ranked.length - 1] ?? most];
   const second = chosen ?? [best, worst, ...all].find((one) => one.name !== base.name) ?? base;
@@ -54,8 +68,14 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
   const tests = others.length;
   const results = new Map(others.map((one) => [one.name, compared(rows, one, base, measure)]));
   const result = /** @type {ReturnType<typeof compared>} */ (results.get(second.name));
-  const sentences = [extremes(ranked, measure), pairSentence(result, second.name, base.name, measure, tests)];
-  if (tests > 1) sentences.push(othersSentence(results, base.name, measure));
+  const sentences = [];
+  if (ranked.length === 0) sentences.push(noneOf(all, title));
+  else if (!isPooled) sentences.push(UNITS);
+  else {
+    sentences.push(extremes(ranked, what), pairSentence(result, second.name, base.name, measure, tests));
+    if (tests > 1) sentences.push(othersSentence(results, base.name, measure));
+  }
+  sentences.push(worlds);
   return {
     sentences: sentences.filter(Boolean),
     names: all.map(({ name }) => name),
@@ -75,28 +95,89 @@ function rankedBy(rows, all, measure) {
     .map((one) => {
       const sample = sampleOf(rows, one.trials, measure).filter((value) => !Number.isNaN(value));
       const mean = sample.reduce((sum, value) => sum + value, 0) / sample.length;
-      const value = isShare(measure) ? 100 * mean : Number(quartiles(sample).values?.[2]);
+      const value = isShare(measure) ? clean(100 * mean) : Number(quartiles(sample).values?.[2]);
       return { name: one.name, n: sample.length, value };
     })
     .filter(({ n }) => n > 0)
-    .sort((a, b) => (isShare(measure) ? b.value - a.value : a.value - b.value));
+    .sort((a, b) => (isEqual(a.value, b.value) ? 0 : isShare(measure) ? b.value - a.value : a.value - b.value));
 }
 
-/** @param {ReturnType<typeof rankedBy>} ranked @param {string} measure */
-function extremes(ranked, measure) {
+/** @typedef {ReturnType<typeof rankedBy>} Ranked */
+/** @typedef {{ measure: string, title: string, unit: string }} What   is measured */
+
+/** Why lengths of several kinds of robots are not put together. */
+const UNITS = "The paths of different robots have lengths in different units, so all worlds together say nothing.";
+
+/** @param {Setting[]} all @param {string} title */
+function noneOf(all, title) {
+  return all.some(({ share }) => share > 0) ? `No trial has a value of ${title}.` : "No setting found a path.";
+}
+
+/** @param {number} a @param {number} b */
+const isEqual = (a, b) => Math.abs(a - b) <= EQUAL * Math.max(Math.abs(a), Math.abs(b));
+
+/**
+ * Values in words, with as many digits as it takes to tell them apart.
+ * @param {number[]} values @param {What} what
+ */
+function textsOf(values, { measure, unit }) {
+  if (isShare(measure)) return values.map((value) => `${Number(clean(value).toFixed(1))} %`);
+  const text = (/** @type {number} */ value, /** @type {number} */ digits) =>
+    Math.abs(value) >= 10 ** digits ? grouped(Math.round(value)) : String(Number(value.toPrecision(digits)));
+  const isApart = (/** @type {number} */ digits) =>
+    values.every((one, i) =>
+      values.every((two, j) => j <= i || isEqual(one, two) || text(one, digits) !== text(two, digits)),
+    );
+  const digits = [3, 4, 5].find(isApart) ?? 6;
+  return values.map((value) => `${text(value, digits)}${unit && ` ${unit}`}`);
+}
+
+/** @param {Ranked} ranked  at least one @param {What} what */
+function extremes(ranked, what) {
   const [best, worst] = [ranked[0], ranked[ranked.length - 1]];
-  if (!best) return "No setting found a path.";
-  const text = (/** @type {typeof best} */ { value, n }) =>
-    isShare(measure) ? `${Number(value.toFixed(1))} % of ${n}` : `${Number(value.toPrecision(3))} (n = ${n})`;
-  const { title } = measureInfo(measure, "");
-  if (isShare(measure)) {
-    return best.value === worst.value
-      ? `All have the same share of ${title}, ${text(best)}.`
-      : `The share of ${title} is largest for ${best.name}, ${text(best)}, and smallest for ${worst.name}, ${text(worst)}.`;
-  }
-  return best.value === worst.value
-    ? `All have the same median of ${title}, ${text(best)}.`
-    : `The median of ${title} is smallest for ${best.name}, ${text(best)}, and largest for ${worst.name}, ${text(worst)}${best.n === worst.n ? "" : "; these are not the same trials"}.`;
+  const texts = textsOf([best.value, worst.value], what);
+  /** All that share an end: their names, value and numbers of trials. @param {Ranked[number]} end @param {string} text */
+  const sign = (end, text) => {
+    const some = ranked.filter(({ value }) => isEqual(value, end.value));
+    const sizes = some.map(({ n }) => n);
+    const [least, most] = [Math.min(...sizes), Math.max(...sizes)].map(grouped);
+    const n = least === most ? most : `${least} to ${most}`;
+    const names = some.map(({ name }) => name);
+    const more = names.length > NAMES ? [...names.slice(0, NAMES - 1), `${names.length - NAMES + 1} others`] : names;
+    return { names: listed(more), value: isShare(what.measure) ? `${text} of ${n}` : `${text} (n = ${n})` };
+  };
+  const [first, last] = [sign(best, texts[0]), sign(worst, texts[1])];
+  const statistic = `${isShare(what.measure) ? "share" : "median"} of ${what.title}`;
+  if (isEqual(best.value, worst.value)) return `All have the same ${statistic}, ${first.value}.`;
+  const [most, least] = isShare(what.measure) ? ["largest", "smallest"] : ["smallest", "largest"];
+  const other = isShare(what.measure) || best.n === worst.n ? "" : "; these are not the same trials";
+  return `The ${statistic} is ${most} for ${first.names}, ${first.value}, and ${least} for ${last.names}, ${last.value}${other}.`;
+}
+
+/**
+ * The order of the settings in each of a few worlds, which may be another one in each.
+ * @param {Rows} rows @param {Factor[]} factors @param {Setting[]} all @param {What} what
+ */
+function byWorld(rows, factors, all, what) {
+  const world = factors.find(({ column }) => column === "world");
+  if (!world || world.values.length > WORLDS) return "";
+  const parts = world.values.flatMap((value) => {
+    const inWorld = all.map(({ name, trials }) => ({
+      name,
+      trials: trials.filter((trial) => rows.cell(trial, "world") === value),
+    }));
+    const ranked = rankedBy(rows, inWorld, what.measure);
+    const shown = ranked.length > NAMES ? [ranked[0], ranked[ranked.length - 1]] : ranked;
+    const texts = textsOf(
+      shown.map((one) => one.value),
+      what,
+    );
+    const words = shown.map(({ name }, i) => `${name} ${texts[i]}`).join(shown === ranked ? ", " : " to ");
+    return words ? [`${wordOf(value, world.words)}: ${words}`] : [];
+  });
+  if (parts.length === 0) return "";
+  const [statistic, order] = isShare(what.measure) ? ["Share", "largest"] : ["Median", "smallest"];
+  return `${statistic} of ${what.title} in each world, ${order} first: ${parts.join("; ")}.`;
 }
 
 /**

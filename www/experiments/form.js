@@ -337,7 +337,7 @@ export function watchForm(session) {
       ),
     );
     return [
-      seedsRow("seeds", "Seeds", seeds, (value) => edit({ seeds: value })),
+      seedsRow("seeds", "Seeds of planners", seeds, (value) => edit({ seeds: value })),
       row("Work at most", limit),
       ...(budget
         ? [

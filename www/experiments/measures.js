@@ -49,10 +49,15 @@ export const OF_PATHS = ["length", "cost", "chord_length", "waypoints"];
 /** The measures of documents that say none. */
 export const USUAL = ["length", "iterations", "clearance_evaluations"];
 
+/** Whether a measure is in the unit of paths, which robots differ in. @param {string} id */
+export function inUnit(id) {
+  return id === "length" || id === "cost";
+}
+
 /** @param {string} id @param {string} lengthUnit  of paths; empty where they are costs @returns {MeasureInfo} */
 export function measureInfo(id, lengthUnit) {
   const [title, unit] = TITLES[id] ?? [id, ""];
-  return { id, title, unit: id === "length" || id === "cost" ? lengthUnit : unit };
+  return { id, title, unit: inUnit(id) ? lengthUnit : unit };
 }
 
 /** A measure with its article left out, as the subject of a sentence in the singular. @param {string} id */

@@ -13,7 +13,7 @@ import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
 import { Queue, TrialPool } from "./pool.js";
 import { retitled } from "./ready.js";
-import { lengthUnit, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
+import { lengthUnits, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ExperimentDocument } from "planarium/full" */
@@ -47,7 +47,9 @@ export class ExperimentSession extends Observable {
     this.queue = new Queue(null, new Rows([], 0), 1);
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
+    /** The unit of lengths, empty where they have none or several; and whether they have several. */
     this.unit = "";
+    this.isMixed = false;
     /** How many trials can be solved, once all have ended. @type {import("./ceiling.js").Ceiling | null} */
     this.ceiling = null;
     /** Worlds whose certificates are still to come. */
@@ -85,7 +87,12 @@ export class ExperimentSession extends Observable {
 
   /** All measures, shares first. @returns {string[]} */
   get measures() {
-    return allMeasures(this.info?.columns ?? []);
+    return allMeasures(this.info?.columns ?? []).filter((id) => id !== "cost" || this.hasCost);
+  }
+
+  /** Whether paths have a cost beside their length. */
+  get hasCost() {
+    return this.document.planners.some(({ set, vary }) => "clearance_weight" in { ...set, ...vary });
   }
 
   /** The measures that the document asks for. @returns {string[]} */
@@ -151,10 +158,12 @@ export class ExperimentSession extends Observable {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
       }
+      const units = lengthUnits(document);
       Object.assign(this, {
         resolved: document,
         info,
-        unit: lengthUnit(document),
+        unit: units.length === 1 ? units[0] : "",
+        isMixed: units.length > 1,
         // Files of the site are known by their names.
         factors: factorsOf(
           document,

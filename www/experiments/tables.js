@@ -79,12 +79,15 @@ export function summaries(selection, axis, measure) {
   }));
 }
 
+/** A number without the rounding of its last digits: 63.75 for 63.74999999999999. @param {number} value */
+export const clean = (value) => Number(value.toPrecision(12));
+
 /** @param {Rows} rows @param {number[]} trials @param {string} measure */
 function summary(rows, trials, measure) {
   const sample = sampleOf(rows, trials, measure);
   if (isShare(measure)) {
     const { n, missing, share: middle, low, high } = share(sample);
-    const percent = (/** @type {number | null} */ value) => (value === null ? null : 100 * value);
+    const percent = (/** @type {number | null} */ value) => (value === null ? null : clean(100 * value));
     return { n, missing, middle: percent(middle), low: percent(low), high: percent(high) };
   }
   const { n, missing, values } = quartiles(sample);
@@ -119,7 +122,7 @@ export function cells(selection, across, up, measure) {
 export function distributions(selection, work) {
   return grouped(selection, []).map(({ trials, series }) => {
     const { n, missing, values, shares } = ecdf(sampleOf(selection.rows, trials, work));
-    return { series, n, missing, values, shares: shares.map((one) => 100 * one) };
+    return { series, n, missing, values, shares: shares.map((one) => clean(100 * one)) };
   });
 }
 

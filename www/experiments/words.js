@@ -1,7 +1,7 @@
 /** What the page says of an experiment and of its trials, in sentences. */
 import { counted, grouped } from "../app/dom.js";
 import { capital } from "../widgets/format.js";
-import { plannerTitle } from "./factors.js";
+import { plannerTitle, valuesOf } from "./factors.js";
 import { SOLVED } from "./measures.js";
 import { sampleOf } from "./tables.js";
 import { titleOf } from "./worlds.js";
@@ -9,6 +9,7 @@ import { titleOf } from "./worlds.js";
 /** Planners and worlds that a caption names, at most. */
 const NAMES = 3;
 
+/** @import { ExperimentAxis, ExperimentSeeds } from "planarium/full" */
 /** @import { ExperimentSession } from "./session.js" */
 
 /** @param {ExperimentSession} session */
@@ -29,12 +30,37 @@ export function sentenceOf({ phase, info, rows, document: { title, worlds, plann
 }
 
 /** What was run, for the caption of a chart. @param {Pick<ExperimentSession, "document" | "rows">} session */
-export function subjectOf({ document: { planners, worlds }, rows }) {
+export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
   const list = (/** @type {string[]} */ all, /** @type {string} */ noun) =>
     all.length > NAMES ? counted(all.length, noun) : all.join(", ");
-  const algorithms = [...new Set(planners.map(plannerTitle))];
-  return `${list(algorithms, "planner")}; ${list([...new Set(worlds.map(titleOf))], "world")}; ${counted(rows.count, "trial")}.`;
+  const algorithms = [...new Set(planners.map((planner) => plannerTitle(planner) + setOf(planner.set)))];
+  const names = [...new Set(worlds.map((world) => titleOf(world) + setOf("set" in world ? world.set : undefined)))];
+  const [settings, each] = [expansions(planners), sizeOf(seeds)];
+  const inEach = rows.count / (settings * each);
+  const factors = [
+    [settings, "setting"],
+    [inEach, "world"],
+    [each, "seed"],
+  ].flatMap(([count, noun]) => (Number(count) > 1 ? [counted(Number(count), String(noun))] : []));
+  const product = Number.isInteger(inEach) && factors.length > 1 ? ` (${factors.join(" x ")})` : "";
+  return `${list(algorithms, "planner")}; ${list(names, "world")}; ${counted(rows.count, "trial")}${product}.`;
 }
+
+/** Options that do not vary. @param {Record<string, unknown> | undefined} set */
+function setOf(set) {
+  const words = Object.entries(set ?? {}).map(([name, value]) => `${name.replaceAll("_", " ")} ${value}`);
+  return words.length > 0 && words.length <= NAMES ? ` (${words.join(", ")})` : "";
+}
+
+/** How many settings planners with parameters that vary are. @param {{ vary?: Record<string, ExperimentAxis> }[]} planners */
+function expansions(planners) {
+  return planners
+    .map(({ vary }) => Object.values(vary ?? {}).reduce((product, axis) => product * valuesOf(axis).length, 1))
+    .reduce((sum, one) => sum + one, 0);
+}
+
+/** @param {ExperimentSeeds} seeds */
+const sizeOf = (seeds) => (Array.isArray(seeds) ? seeds.length : seeds.count);
 
 /** @param {ExperimentSession} session */
 export function progressOf({ rows, phase, runtime, uncertified, isBusy }) {

@@ -117,12 +117,11 @@ export function robotsOf(document) {
 }
 
 /**
- * The unit of path lengths; empty where it differs, or where metres and radians are added.
+ * The units of path lengths, each once; empty where metres and radians are added.
  * @param {ExperimentDocument} document
  */
-export function lengthUnit(document) {
-  const units = ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
-  return units.length === 1 ? units[0] : "";
+export function lengthUnits(document) {
+  return ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
 }
 
 /**

@@ -1,6 +1,7 @@
 /** What the marks of several charts share: axes with words or numbers, lines of a style, and the number of trials. */
 import { isShare } from "../measures.js";
 import { wordOf } from "../factors.js";
+import { numberText } from "../../widgets/format.js";
 
 /** @import { ChartData, Plot, Scale, Style } from "../charts.js" */
 /** @import { Cell } from "../rows.js" */
@@ -17,9 +18,21 @@ export function acrossOptions({ title, isLog }) {
     label: title,
     labelAnchor: /** @type {const} */ ("center"),
     labelArrow: /** @type {const} */ ("none"),
-    type: isLog ? /** @type {const} */ ("log") : undefined,
+    ...(isLog ? LOG : {}),
   };
 }
+
+/** What a logarithmic axis is: values of 0 lie on its lower edge, and its ticks are 1, 2 and 5 times powers of ten. */
+export const LOG = {
+  type: /** @type {const} */ ("log"),
+  clamp: true,
+  tickFormat: /** @type {any} */ (
+    (/** @type {number} */ value) => {
+      const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
+      return [1, 2, 5].includes(Math.round(value / power)) ? numberText(value) : "";
+    }
+  ),
+};
 
 /** @param {Scale} up @param {boolean} [isFromZero] */
 export function upOptions({ isLog, title }, isFromZero = !isLog) {
@@ -27,7 +40,7 @@ export function upOptions({ isLog, title }, isFromZero = !isLog) {
   return {
     label: null,
     grid: true,
-    type: isLog ? /** @type {const} */ ("log") : undefined,
+    ...(isLog ? LOG : {}),
     zero: isFromZero && !isLog,
     nice: !isLog,
     ...percent,

@@ -26,9 +26,13 @@ export function printLink(save, encode) {
   let shown = "";
   // The counters of a run come to rest with it, while the robot still drives along the path.
   const run = document.getElementById("counters") ?? document.body;
+  let isSettled = false;
   const watch = () => {
+    // It is also set to what it was.
+    if ((run.dataset.settled === "true") === isSettled) return;
+    isSettled = !isSettled;
     clearTimeout(timer);
-    if (run.dataset.settled === "true") timer = window.setTimeout(() => void renew(), REST);
+    if (isSettled) timer = window.setTimeout(() => void renew(), REST);
   };
   new MutationObserver(watch).observe(run, { attributeFilter: ["data-settled"] });
   watch();

@@ -157,6 +157,7 @@ test("the planner's page is for everyone", (t) =>
           const [size, thin] = [await fontSize(), await ink()];
           await click(page, "#projector");
           assert.equal(await page.isVisible(".panel"), false);
+          assert.equal(await page.evaluate(() => document.activeElement?.id), "stage", "Space plays");
           const [obstacle, stage] = (await coloursOf(page, ["var(--obstacle)", "var(--stage)"])).map(luminance);
           assert.ok((stage + 0.05) / (obstacle + 0.05) >= 1.5);
           assert.ok((await fontSize()) > 1.3 * size);

@@ -570,13 +570,18 @@ export const growthHash = async (page, pane) =>
     await pictureOf(page, ["edges", "vertices", "marks"].map((name) => `#${pane} canvas[data-layer=${name}]`).join())
   ).join();
 
-/** What axe finds against WCAG 2.2 A and AA, and good practice. @param {Page} page @returns {Promise<string[]>} */
-export async function violations(page) {
+/**
+ * What axe finds against WCAG 2.2 A and AA, and good practice.
+ * @param {Page} page
+ * @param {string} [within]  a selector: what is looked at, all of the page by default
+ * @returns {Promise<string[]>}
+ */
+export async function violations(page, within) {
   if (!(await page.evaluate(() => "axe" in window)))
     await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
-  return page.evaluate(async () => {
+  return page.evaluate(async (selector) => {
     // @ts-expect-error axe defines itself
-    const { violations: found } = await axe.run(document, {
+    const { violations: found } = await axe.run(selector ?? document, {
       resultTypes: ["violations"],
       runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
     });
@@ -584,7 +589,7 @@ export async function violations(page) {
       (/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) =>
         `${id}: ${nodes.map(({ html }) => html).join(" ")}`,
     );
-  });
+  }, within);
 }
 
 /** Waits until every scene of the gallery has its picture. @param {Page} page */

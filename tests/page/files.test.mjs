@@ -8,6 +8,7 @@ import {
   counters,
   dropFile,
   finish,
+  onPage,
   onPausedPage,
   pickFile,
   pixelsOf,
@@ -135,3 +136,10 @@ test("scenes and files", (t) =>
       restage,
     ),
   ));
+
+test("a finished run has its code on paper while the robot drives", () =>
+  onPage({}, async (page) => {
+    await finish(page);
+    await page.waitForSelector("#printed-link svg", { state: "attached" });
+    assert.equal(await page.getAttribute("body", "data-settled"), "false", "it drives");
+  }));

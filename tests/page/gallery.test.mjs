@@ -21,8 +21,20 @@ const onGallery = (act) =>
     { path: "gallery.html" },
   );
 
+/** What is shown does not depend on the pictures. @param {Page} page */
+const withoutPictures = (page) =>
+  page.route("**/gallery/*.svg", (route) =>
+    route.fulfill({
+      contentType: "image/svg+xml",
+      body: '<svg xmlns="http://www.w3.org/2000/svg" width="4" height="3"/>',
+    }),
+  );
+
 /** The gallery as it opens. @param {Page} page */
-const putBack = (page) => reopen(page, "body[data-state=ready]");
+async function putBack(page) {
+  await withoutPictures(page);
+  await reopen(page, "body[data-state=ready]");
+}
 
 test("the gallery is searched, and its entries open", (t) =>
   onGallery(
@@ -103,35 +115,42 @@ test("the gallery is searched, and its entries open", (t) =>
           assert.equal(page.url(), `${url}gallery.html`);
         },
 
-        "the view of the reports has their entries in order, their verdicts and all rows": async (page, url) => {
-          await page.waitForSelector("body[data-state=ready]");
-          assert.ok(await page.isHidden("#rows"));
-          await page.click(`${at(entries[0])} h3 a`);
-          await page.waitForSelector(".entry:target");
-          await page.click(".views [data-view=reports]");
-          assert.deepEqual(await shownIds(page), idsOf(ofReports));
-          assert.equal(page.url(), `${url}gallery.html?view=reports`);
-          assert.ok(await page.isVisible(`${at(ofReports[0])} .tag .holds`));
-          assert.equal(await page.locator("#rows tbody tr[id]:visible").count(), rows.length);
-          await page.fill("#search", "bidirectional");
-          const some = await page.locator("#rows tbody tr[id]:visible").count();
-          assert.ok(some > 0 && some < rows.length);
-          await page.fill("#search", "");
-          // An entry that is open in one view is open in the other.
-          await page.click(`${at(ofReports[1])} h3 a`);
-          await page.waitForSelector(".entry:target");
-          await page.keyboard.press("ArrowRight");
-          await page.waitForFunction((id) => location.hash === `#${id}`, ofReports[2].id);
-          await page.click(".views [data-view=topics]");
-          assert.ok(await page.isVisible(`${at(ofReports[2])}:target .open`));
-          assert.equal(page.url(), `${url}gallery.html#${ofReports[2].id}`);
-          await page.click(".entry:target .detail a[href='#report-1']");
-          await page.waitForFunction(() => document.body.dataset.view === "reports");
-          assert.ok(await page.isVisible("#report-1"));
-          await page.goBack();
-          await page.waitForFunction(() => document.body.dataset.view === "topics");
-          assert.ok(await page.isVisible(".entry:target .open"));
-        },
+        "the view of the reports has their entries in order, their verdicts and all rows, in which arrows scroll":
+          async (page, url) => {
+            await page.waitForSelector("body[data-state=ready]");
+            assert.ok(await page.isHidden("#rows"));
+            await page.click(`${at(entries[0])} h3 a`);
+            await page.waitForSelector(".entry:target");
+            await page.click(".views [data-view=reports]");
+            assert.deepEqual(await shownIds(page), idsOf(ofReports));
+            assert.equal(page.url(), `${url}gallery.html?view=reports`);
+            assert.ok(await page.isVisible(`${at(ofReports[0])} .tag .holds`));
+            assert.equal(await page.locator("#rows tbody tr[id]:visible").count(), rows.length);
+            await page.fill("#search", "bidirectional");
+            const some = await page.locator("#rows tbody tr[id]:visible").count();
+            assert.ok(some > 0 && some < rows.length);
+            await page.fill("#search", "");
+            // An entry that is open in one view is open in the other.
+            await page.click(`${at(ofReports[1])} h3 a`);
+            await page.waitForSelector(".entry:target");
+            // With the table in focus arrows open no other entry.
+            await page.focus("#rows .scroll");
+            await page.keyboard.press("ArrowRight");
+            assert.equal(await page.evaluate(() => location.hash), `#${ofReports[1].id}`);
+            await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+            await page.keyboard.press("ArrowRight");
+            await page.waitForFunction((id) => location.hash === `#${id}`, ofReports[2].id);
+            assert.equal(page.url(), `${url}gallery.html?view=reports#${ofReports[2].id}`, "the view stays");
+            await page.click(".views [data-view=topics]");
+            assert.ok(await page.isVisible(`${at(ofReports[2])}:target .open`));
+            assert.equal(page.url(), `${url}gallery.html#${ofReports[2].id}`);
+            await page.click(".entry:target .detail a[href='#report-1']");
+            await page.waitForFunction(() => document.body.dataset.view === "reports");
+            assert.ok(await page.isVisible("#report-1"));
+            await page.goBack();
+            await page.waitForFunction(() => document.body.dataset.view === "topics");
+            assert.ok(await page.isVisible(".entry:target .open"));
+          },
       },
       putBack,
     ),
@@ -151,9 +170,7 @@ test("addresses of reports, rows, topics and entries show them, whatever is sele
   onPage(
     {},
     async (page, url) => {
-      // What is shown does not depend on the pictures.
-      const picture = '<svg xmlns="http://www.w3.org/2000/svg" width="4" height="3"/>';
-      await page.route("**/gallery/*.svg", (route) => route.fulfill({ contentType: "image/svg+xml", body: picture }));
+      await withoutPictures(page);
       const other = ofReports.find(({ robot }) => robot === "particle") ?? assert.fail();
       const all = [
         ["#row-120", "reports", "#row-120"],
@@ -179,19 +196,6 @@ test("addresses of reports, rows, topics and entries show them, whatever is sele
       }
     },
     { path: "icon.svg" },
-  ));
-
-test("with the table in focus arrows open no other entry", () =>
-  onPage(
-    {},
-    async (page) => {
-      await page.waitForSelector("body[data-state=ready]");
-      await page.waitForSelector(".entry:target");
-      await page.focus("#rows .scroll");
-      await page.keyboard.press("ArrowRight");
-      assert.equal(await page.evaluate(() => location.hash), `#${ofReports[0].id}`);
-    },
-    { path: `gallery.html?view=reports#${ofReports[0].id}` },
   ));
 
 test("axe finds nothing in the gallery, nothing hangs over on a phone, and it can be read without a script", async () => {

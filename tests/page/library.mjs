@@ -125,3 +125,9 @@ export function pieces({ vertices, edges }) {
   for (const [a, b] of edges) piece[find(a)] = find(b);
   return piece.map((_, i) => find(i));
 }
+
+/**
+ * Scenes that differ from others in their world alone: all end in scenes.test.mjs, and on the page where all cases are
+ * tried.
+ */
+export const ALIKE = ["open", "slot", "trap", "maze", "shelf", "tentacle", "corner", "turn", "lanes"];

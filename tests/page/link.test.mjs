@@ -53,7 +53,8 @@ test("a link brings back what the page shows", (t) =>
       t,
       {
         "a scene of every kind, in 2 kB, at an iteration on the way": async (page) => {
-          const kinds = ["stones", "rings", "corner", "blossom"];
+          // A disc has one figure, a car two that are planes; an arm is in the tests below.
+          const kinds = ["rings", "blossom"];
           for (const [i, { id }] of SCENES.entries()) {
             if (!isDeep && !kinds.includes(id)) continue;
             if (i > 0) await chooseScene(page, id);
@@ -75,7 +76,8 @@ test("a link brings back what the page shows", (t) =>
           await setParameter(page, "seed", "9007199254740991");
           await setParameter(page, "goal_bias", "0.125");
           await seek(page, 137);
-          const experiment = await roundTrip(page, "on the way");
+          const { experiment } = await decodeLink(await linkOf(page));
+          assert.ok(experiment);
           assert.equal(experiment.iteration, 137);
           assert.deepEqual(experiment.lanes, [
             { algorithm: "rrt", settings: { step: 0.3, goal_bias: 0.125, seed: 9007199254740991 } },
@@ -136,6 +138,8 @@ test("a link brings back what the page shows", (t) =>
             await page.fill("#pose-0-number", value);
             await page.press("#pose-0-number", "Enter");
             await page.waitForSelector(`#touching[data-free=${free}]:not(:empty)`);
+            // Whether it is free is not in the link: the page says it of either.
+            if (free && !isDeep) continue;
             const { pose, iteration } = await roundTrip(page, `in hand, ${free}`);
             assert.deepEqual([pose?.[0], pose?.length, iteration], [Number(value), 2, 40]);
             assert.match(await page.innerText("#link-told"), /iteration 40 and the configuration in hand/);
@@ -166,13 +170,14 @@ test("a link brings back what the page shows", (t) =>
         "a race comes back with its rivals and its picture, and rests at its own time": async (page) => {
           await unfold(page, "race");
           for (const [algorithm, lens] of [
-            ["rrt", "cspace"],
-            ["prm-star", "workspace"],
+            ["rrt", "workspace"],
+            ["prm-star", "cspace"],
           ]) {
             await page.selectOption("#rival", algorithm);
             await page.click("#add-rival");
             await choose(page, "lens", lens);
             await click(page, "#step-100");
+            if (!isDeep && algorithm === "rrt") continue;
             const race = await roundTrip(page, `against ${algorithm}`);
             assert.equal(race.lanes[race.lanes.length - 1].algorithm, algorithm);
             assert.equal(race.view.lens, lens === "workspace" ? undefined : lens);

@@ -24,16 +24,11 @@ import {
   valueWithin,
 } from "./browser.mjs";
 import { overhang } from "./looks.mjs";
-import { open, ran, textOf } from "./library.mjs";
+import { ALIKE, open, ran, textOf } from "./library.mjs";
 import { inTurn, restage } from "./turns.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 useBrowser();
-
-/**
- * Scenes that differ from others in their world alone: all end in scenes.test.mjs, and here where all cases are tried.
- */
-const ALIKE = ["open", "slot", "trap", "maze", "shelf", "tentacle", "corner", "turn", "lanes"];
 
 test("on a phone the transport is low but can be reached, and the rest is folded away", () =>
   onPausedPage(async (page) => {

@@ -15,6 +15,7 @@ import { atRest, choose, click, fill, finish, pickFile, unfold } from "./browser
  * @property {Record<string, (page: Page) => Promise<unknown>>} [states]  how each is entered from the one before it
  * @property {number} [controls]  in the panel as it opens, at most, beside the choice of a scene
  * @property {string[]} [broken]  fragments that are refused for what they say, besides those that no page can read
+ * @property {string} [search]  leaves some of its entries: what holds for them holds for all, but takes axe less time
  * @property {boolean} [takesFiles]
  * @property {boolean} [isEmbedded]  does it open in a frame, as its figure alone?
  * @property {boolean} [isPrinted]  is it printed without its controls?
@@ -216,7 +217,7 @@ export const ROWS = {
       "success as bars": (page) => press(page, "#kinds [data-kind=success]", "body[data-chart=success]"),
     },
   },
-  gallery: { core: "", side: 0, takesFiles: false, isEmbedded: false, isPrinted: false },
+  gallery: { core: "", side: 0, search: "edge_check", takesFiles: false, isEmbedded: false, isPrinted: false },
 };
 
 /**

@@ -159,7 +159,7 @@ test("a robot is trained, compared, put on another floor and given cargo", (t) =
           },
 
         "the comparison ends with the numbers of the package, drawn and saved": async (page) => {
-          const options = { queries: 2, trials: 2, samples: 300, k: 12 };
+          const options = { queries: 2, trials: 2, samples: 100, k: 12 };
           await page.click("#part-compare");
           await page.locator("#compare-settings summary").click();
           for (const [name, value] of Object.entries(options)) await fill(page, `#compare-${name}`, String(value));
@@ -223,17 +223,20 @@ test("a robot is trained, compared, put on another floor and given cargo", (t) =
           await page.selectOption("#robot", "cargo");
           await rest(page, "[data-status=none][data-policy=shipped]");
           await textMatches(page, "#policy-about", /for 20 rays/);
+          await fill(page, "#drives-trials", "5");
+          await fill(page, "#plan-samples", "200");
+          await rest(page, "[data-status=solved]");
           await page.click("#drive");
-          await rest(page, "[data-drives='20']");
+          await rest(page, "[data-drives='5']");
           const yard = Navigation.generate(FIRST.kind, { ...FIRST.options, shape: "cargo" });
-          const planner = yard.planner(cargo, ROADMAP);
+          const planner = yard.planner(cargo, { ...ROADMAP, samples: 200 });
           planner.step(1e9);
           const { fingerprint, path } = planner.result();
           assert.equal((await told(page)).fingerprint, fingerprint);
-          const drives = Array.from({ length: 20 }, (_, trial) => yard.execute(path.flat(), { trial, policy: cargo }));
+          const drives = Array.from({ length: 5 }, (_, trial) => yard.execute(path.flat(), { trial, policy: cargo }));
           const { reached, collision, swing, timeout } = countsOf(drives);
           assert.deepEqual((await counts("prm-rl")).slice(2, 6), [
-            `${reached} of 20`,
+            `${reached} of 5`,
             String(collision),
             String(swing),
             String(timeout),

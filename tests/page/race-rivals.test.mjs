@@ -79,60 +79,56 @@ test("rivals come, are set, and go", (t) =>
             );
           },
 
-        "a plan that the core refuses names its planner and its field": async (page) => {
-          await chooseScene(page, "rings");
-          await race(page, "rrt-connect", "rrt");
-          await give(page, "C", "metric", "naive");
-          await page.waitForSelector("#notice:not([hidden])");
-          assert.match(
-            await page.innerText("#notice"),
-            /^C, RRT, cannot be planned\. .*naive.*\. Change its settings or remove C to start the race\./,
-          );
-          assert.deepEqual(
-            (await table(page)).map(({ found }) => found),
-            ["not started", "not started", "not started"],
-          );
-          assert.equal(await page.getAttribute("#notice", "data-pointer"), "/metric");
-          assert.match(await page.innerText("#rival-C-metric-reason"), /naive/);
-          assert.equal(await page.isHidden("#rival-B-metric-reason"), true);
-          await give(page, "C", "metric", "euclidean");
-          assert.equal(await page.isHidden("#notice"), true);
-          await finish(page);
-          assert.ok((await table(page)).every(({ fingerprint }) => fingerprint));
-        },
-
-        "they stay when the scene changes, go one by one, and the last one leaves a single run behind": async (
-          page,
-        ) => {
-          await race(page, "rrt", "rrt-connect");
-          await chooseScene(page, "rings");
-          assert.deepEqual(
-            (await table(page)).map(({ name }) => name),
-            ["A PRM", "B RRT", "C RRT-Connect"],
-          );
-          assert.equal(await page.locator("#stage figure.workspace").count(), 3);
-          assert.equal(await page.locator("input[name=lens]").first().isVisible(), false, "a disc has one picture");
-          await page.getByRole("button", { name: "Remove B" }).click();
-          await atRest(page);
-          assert.deepEqual(
-            (await table(page)).map(({ name }) => name),
-            ["A PRM", "B RRT-Connect"],
-          );
-          assert.equal(await page.evaluate(() => document.activeElement?.id), "add-rival");
-          await keys(page, "Shift+Tab", "Shift+Tab", "Shift+Tab");
-          assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("aria-label")), "Remove B");
-          await page.keyboard.press("Enter");
-          await atRest(page);
-          assert.equal(await page.locator("#standings table").count(), 0);
-          assert.equal(await page.isVisible("#counters"), true);
-          assert.equal(await page.locator("#stage figure").count(), 1);
-          assert.deepEqual(await page.locator(".steps button").allInnerTexts(), ["1", "10", "100"]);
-          const { fingerprint } = await finish(page);
-          assert.equal(
-            fingerprint,
-            alone("rings", { algorithm: "prm", settings: { samples: 900, k: 9, seed: 14 } }).fingerprint,
-          );
-        },
+        "they stay when the scene changes; a plan that the core refuses names its planner and its field; they go one by one, and the last one leaves a single run behind":
+          async (page) => {
+            await race(page, "rrt", "rrt-connect");
+            await chooseScene(page, "rings");
+            assert.deepEqual(
+              (await table(page)).map(({ name }) => name),
+              ["A PRM", "B RRT", "C RRT-Connect"],
+            );
+            assert.equal(await page.locator("#stage figure.workspace").count(), 3);
+            assert.equal(await page.locator("input[name=lens]").first().isVisible(), false, "a disc has one picture");
+            await give(page, "B", "metric", "naive");
+            await page.waitForSelector("#notice:not([hidden])");
+            assert.match(
+              await page.innerText("#notice"),
+              /^B, RRT, cannot be planned\. .*naive.*\. Change its settings or remove B to start the race\./,
+            );
+            assert.deepEqual(
+              (await table(page)).map(({ found }) => found),
+              ["not started", "not started", "not started"],
+            );
+            assert.equal(await page.getAttribute("#notice", "data-pointer"), "/metric");
+            assert.match(await page.innerText("#rival-B-metric-reason"), /naive/);
+            assert.equal(await page.isHidden("#rival-C-metric-reason"), true);
+            await give(page, "B", "metric", "euclidean");
+            assert.equal(await page.isHidden("#notice"), true);
+            await finish(page);
+            assert.ok((await table(page)).every(({ fingerprint }) => fingerprint));
+            // Folded, it has three places between its buttons.
+            await page.locator("fieldset.rival details[open] > summary").first().click();
+            await page.getByRole("button", { name: "Remove B" }).click();
+            await atRest(page);
+            assert.deepEqual(
+              (await table(page)).map(({ name }) => name),
+              ["A PRM", "B RRT-Connect"],
+            );
+            assert.equal(await page.evaluate(() => document.activeElement?.id), "add-rival");
+            await keys(page, "Shift+Tab", "Shift+Tab", "Shift+Tab");
+            assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("aria-label")), "Remove B");
+            await page.keyboard.press("Enter");
+            await atRest(page);
+            assert.equal(await page.locator("#standings table").count(), 0);
+            assert.equal(await page.isVisible("#counters"), true);
+            assert.equal(await page.locator("#stage figure").count(), 1);
+            assert.deepEqual(await page.locator(".steps button").allInnerTexts(), ["1", "10", "100"]);
+            const { fingerprint } = await finish(page);
+            assert.equal(
+              fingerprint,
+              alone("rings", { algorithm: "prm", settings: { samples: 900, k: 9, seed: 14 } }).fingerprint,
+            );
+          },
 
         "only planners that serve the robot are offered; others are removed, and the race goes on": async (page) => {
           const idsFor = (/** @type {string} */ robot) =>

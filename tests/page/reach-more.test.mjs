@@ -173,9 +173,6 @@ test("a target out of reach is said to be, with the nearest point; one in collis
     await page.waitForSelector("#solve[data-verdict=out-of-reach]", { state: "attached" });
     await rest(page);
     assert.match(await page.innerText("#story"), /too far away.*nearest point/);
-  });
-  await onReach(async (page) => {
-    await page.click("#mode-solve");
     await page.check("#solve-free_only");
     // Into the disc at (0.62, 0.62).
     const [x, y] = await windowOf(page, "islands", [0.55, 0.6]);

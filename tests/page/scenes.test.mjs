@@ -140,7 +140,7 @@ function turnBetween(from, to) {
 
 test("corner: the L does not fit through the gap as it stands, nor with any one heading", () => {
   const scenario = open(sceneOf("corner"));
-  for (let theta = -Math.PI; theta < Math.PI; theta += 0.02) {
+  for (let theta = -Math.PI; theta < Math.PI; theta += 0.04) {
     // Straight through, at any height: somewhere it touches.
     const passes = Array.from({ length: 160 }, (_, i) => i / 100).some((y) => {
       for (let x = 0.5; x <= 1.9; x += 0.02)

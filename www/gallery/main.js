@@ -264,7 +264,8 @@ function connect(entry, side, other) {
   const link = entry.querySelector(`.${side}`);
   if (!(link instanceof HTMLAnchorElement)) return;
   link.hidden = !other;
-  if (other) link.hash = other.id;
+  // A hash alone: the rest of the address is what it is when the link is followed.
+  if (other) link.setAttribute("href", `#${other.id}`);
 }
 
 /** @param {number} count @param {number} total */

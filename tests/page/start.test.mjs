@@ -163,7 +163,7 @@ test("each slide of the class has its question, its answer on demand, and its pa
       assert.equal(new URL(page.url()).hash, `#${count - 1}`);
       // Space plays; a remote control also turns the slides after a click into the live page.
       const live = (await (await page.waitForSelector("iframe")).contentFrame()) ?? assert.fail();
-      await live.waitForSelector("body[data-settled=true]");
+      await live.waitForSelector("#play:enabled");
       await page.keyboard.press(" ");
       await live.waitForSelector("#counters:not([data-iterations='0'])", { state: "attached" });
       await live.click("#play");

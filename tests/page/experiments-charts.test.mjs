@@ -124,8 +124,9 @@ test("sentences name all that share an end, tell values apart, and do not add me
     isNumeric: false,
   });
   const factors = [of("planner", settings), of("world", worlds)];
+  const metres = new Map(worlds.map((world) => [world, "m"]));
   const said = (/** @type {string} */ measure, view = {}) => comparisons(rows, factors, measure, view).sentences;
-  const [extremes, pair, , byWorld] = said("length", { unit: "m", other: "b" });
+  const [extremes, pair, , byWorld] = said("length", { units: metres, other: "b" });
   assert.match(
     extremes,
     /^The median of path length is smallest for a and b, 3\.3 m \(n = 8\), and largest for c, 3\.6 m \(n = 6\)/,
@@ -133,31 +134,36 @@ test("sentences name all that share an end, tell values apart, and do not add me
   assert.match(pair, /smaller than that of a in 0 of 8 pairs that both solved, larger in 0, equal in 8/);
   assert.equal(
     byWorld,
-    "Median of path length in each world, smallest first: u: a 5.5 m, b 5.5 m, c 6 m; v: a 1.1 m, b 1.1 m, c 1.2 m.",
+    "Median of path length in each world, smallest first: u: a 5.5 m (n = 4), b 5.5 m (n = 4), c 6 m (n = 3); v: a 1.1 m (n = 4), b 1.1 m (n = 4), c 1.2 m (n = 3).",
   );
-  const mixed = said("length", { isMixed: true });
+  const mixed = said("length", { units: new Map([...metres, ["v", "rad"]]) });
   assert.equal(mixed.length, 2);
   assert.match(mixed[0], /different units/);
-  assert.match(mixed[1], /^Median of path length in each world/);
+  assert.match(mixed[1], /in each world, smallest first: u: a 5\.5 m \(n = 4\), .* c 1\.2 rad \(n = 3\)\.$/);
   assert.deepEqual(said("cost"), ["No trial has a value of path cost."]);
   assert.match(said("motion_checks")[0], /smallest for a, 1,700 \(n = 8\), and largest for c, 1,704 \(n = 6\)/);
   assert.match(said("solved")[0], /largest for a and b, 100 % of 8, and smallest for c, 75 % of 8\./);
+  // What has no value is neither equal to the others nor the worst of them.
+  const few = new Rows(["planner", "world", "seed", "status", "length"], 4);
+  for (let trial = 0; trial < 4; trial++)
+    few.set(trial, ["ab"[trial % 2], "u", trial >> 1, trial % 2 ? "failed" : "solved", trial % 2 ? null : 5], [0, 0]);
+  const two = [of("planner", ["a", "b"])];
+  assert.equal(
+    comparisons(few, two, "length", {}).sentences[0],
+    "The median of path length is 5 (n = 2), for a; the others have none.",
+  );
+  assert.deepEqual(comparisons(few, two, "length", { which: new Uint8Array(4) }).sentences, [
+    "No world and seed was solved by all settings.",
+  ]);
+  // One setting that solves nothing, in two worlds.
+  const none = new Rows(["planner", "world", "seed", "status", "length"], 2);
+  for (let trial = 0; trial < 2; trial++) none.set(trial, ["a", worlds[trial], 0, "failed", null], [0, 0]);
+  assert.equal(comparisons(none, [of("world", worlds)], "length").sentences[0], "No setting found a path.");
 });
 
-test("a logarithmic axis has round ticks, and its caption says where values of 0 are", () => {
+test("a logarithmic axis has numbers without prefixes, and its caption says where values of 0 are", () => {
   const { tickFormat } = LOG;
-  assert.deepEqual([0.1, 0.2, 0.3, 0.4, 0.5, 1, 3, 50, 70, 1000].map(tickFormat), [
-    "0.1",
-    "0.2",
-    "",
-    "",
-    "0.5",
-    "1",
-    "",
-    "50",
-    "",
-    "1,000",
-  ]);
+  assert.deepEqual([0.1, 0.30000000000000004, 5.5, 1000].map(tickFormat), ["0.1", "0.3", "5.5", "1,000"]);
   const rows = new Rows(["planner", "seed", "status", "length", "iterations"], 4);
   for (let trial = 0; trial < 4; trial++) rows.set(trial, ["a", trial, "solved", trial, 1], [0, 0]);
   const shown = (/** @type {boolean} */ isLog) =>

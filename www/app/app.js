@@ -27,7 +27,7 @@ const PAUSE = 1000;
  */
 
 /**
- * @typedef {App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for lines and dots
+ * @typedef {App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for lines, dots and words
  */
 
 export class App {

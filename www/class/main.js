@@ -85,6 +85,9 @@ watchTheme(load);
 answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true"));
 previous.addEventListener("click", () => turnTo(at - 1));
 next.addEventListener("click", () => turnTo(at + 1));
+// After a click of the mouse Space plays, rather than pressing the button again.
+for (const button of [answer, previous, next])
+  button.addEventListener("click", ({ detail }) => detail > 0 && deck.focus({ preventScroll: true }));
 addEventListener("hashchange", open);
 addEventListener("keydown", (event) => {
   const { key, target, ctrlKey, metaKey, altKey } = event;

@@ -100,10 +100,11 @@ export function drawStart(context, x, y, palette) {
  * @param {number} x
  * @param {number} y
  * @param {Palette} palette
+ * @param {number} scale  of the words
  */
-export function drawEndsHere(context, x, y, palette) {
+export function drawEndsHere(context, x, y, palette, scale) {
   strokeWithHalo(context, [5.5, 2.4], palette.rejected, palette, () => addCross(context, x, y, 6));
-  drawLabel(context, "ends here", x, y + 19, palette.rejected, palette);
+  drawLabel(context, "ends here", x, y + 6 + 13 * scale, palette.rejected, palette, scale);
 }
 
 /** @param {Context} context @param {number} x @param {number} y @param {number} radius */
@@ -193,9 +194,9 @@ export function drawTarget(context, x, y, orientation, palette) {
  * @param {number} y
  * @param {string} colour
  * @param {Palette} palette
- * @param {number} [scale]  of the words
+ * @param {number} scale  of the words
  */
-export function drawLabel(context, text, x, y, colour, palette, scale = 1) {
+export function drawLabel(context, text, x, y, colour, palette, scale) {
   context.save();
   context.font = `600 ${13 * scale}px system-ui, sans-serif`;
   context.textAlign = "center";

@@ -79,8 +79,8 @@ export class ChartView {
     const { session, host } = this;
     const { drawChart, captioned } = await drawing();
     const began = performance.now();
-    const { rows, factors, view, asked, isMixed, ceiling, measures } = session;
-    const unit = isMixed ? "units differ" : session.unit;
+    const { rows, factors, view, asked, units, ceiling, measures } = session;
+    const unit = new Set(units.values()).size > 1 ? "units differ" : session.unit;
     const { palette, bold } = this.app.look;
     const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling, measures) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));

@@ -109,11 +109,11 @@ export function completed(view, factors, asked, all) {
   const chosen = CHARTS.find(({ id }) => id === view.chart) ?? usual;
   const kind = chosen.controls.includes("second") && !second ? success : chosen;
   // Some charts are of shares, others of values.
-  const first = [one(view.measure), kind.fits(SOLVED) ? SOLVED : asked[0], "length"];
+  const first = [one(view.measure), kind.fits(SOLVED) ? SOLVED : asked.find((id) => one(id)), "length"];
   const measure = first.find((id) => id !== undefined && kind.fits(id)) ?? SOLVED;
   const work =
     one(isShare(view.work ?? "") ? undefined : view.work) ??
-    asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ??
+    asked.find((id) => one(id) && ![SOLVED, ...OF_PATHS].includes(id)) ??
     "clearance_evaluations";
   const canBeCommon = !isShare(measure) && !kind.isOfAll && factors.some(({ column }) => column.startsWith("planner"));
   return {
@@ -207,9 +207,12 @@ export function countsOf({ counts: { least, most } }) {
 }
 
 /** Whether a logarithmic axis has no place for some values. @param {ChartData} chart */
-function hasZero({ across, up, summaries, distributions, points }) {
+function hasZero({ kind, across, up, summaries, distributions, points }) {
   const [ups, acrosses] = [
-    [...summaries.flatMap(({ least, low, middle }) => [least, low, middle]), ...points.map(({ value }) => value)],
+    [
+      ...summaries.flatMap(({ least, low, middle }) => [low, middle, kind === box ? least : low]),
+      ...points.map(({ value }) => value),
+    ],
     [...distributions.flatMap(({ values }) => values), ...points.map(({ work }) => work)],
   ];
   return (up.isLog && ups.includes(0)) || (across.isLog && acrosses.includes(0));

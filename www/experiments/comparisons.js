@@ -1,6 +1,6 @@
 /** The result in a few sentences: the extremes, two settings in pairs, all against the first of the two, and each world. */
 import { paired, quartiles } from "planarium/full";
-import { grouped, listed } from "../app/dom.js";
+import { counted, grouped, listed } from "../app/dom.js";
 import { TASK, pairsOf, settingsOf } from "./common.js";
 import { groupsOf, labelOf, wordOf } from "./factors.js";
 import { SOLVED, inUnit, isShare, measureInfo, nounOf } from "./measures.js";
@@ -25,20 +25,16 @@ const EQUAL = 1e-9;
  * @param {Rows} rows
  * @param {Factor[]} factors
  * @param {string} measure
- * @param {{ baseline?: string, other?: string, which?: Uint8Array | null, unit?: string, isMixed?: boolean }} [view]
- *   names, the trials that count, the unit of lengths, and whether lengths are in several units
+ * @param {{ baseline?: string, other?: string, which?: Uint8Array | null, units?: Map<string, string> }} [view]   names,
+ *   the trials that count, and the unit of lengths in each world
  * @returns {{ sentences: string[], names: string[], baseline: string, other: string }}  the names of all settings, and
  *   of the two
  */
-export function comparisons(
-  rows,
-  factors,
-  measure,
-  { baseline, other, which = null, unit = "", isMixed = false } = {},
-) {
-  const { title, unit: own } = measureInfo(measure, unit);
-  const what = { measure, title, unit: own };
-  const isPooled = !isMixed || !inUnit(measure);
+export function comparisons(rows, factors, measure, { baseline, other, which = null, units = new Map() } = {}) {
+  const several = new Set(units.values());
+  const { title, unit } = measureInfo(measure, several.size === 1 ? [...several][0] : "");
+  const what = { measure, title, unit };
+  const isPooled = several.size < 2 || !inUnit(measure);
   const all = settingsOf(rows, factors).map((one) =>
     which ? { ...one, trials: one.trials.filter((trial) => which[trial]) } : one,
   );
@@ -47,10 +43,11 @@ export function comparisons(
       name: labelOf(factors, values),
       trials,
     }));
+    const ranked = rankedBy(rows, groups, measure);
     const sentences =
       groups.length > 1
         ? [
-            isPooled ? extremes(rankedBy(rows, groups, measure), what) : UNITS,
+            ranked.length === 0 ? noneOf(rows, title, which) : isPooled ? extremes(ranked, groups, what) : UNITS,
             "Trials in different worlds cannot be paired, so nothing is tested.",
           ]
         : ["A comparison needs trials of two settings."];
@@ -60,7 +57,7 @@ export function comparisons(
   const most = all.reduce((best, one) => (one.share > best.share ? one : best));
   const base = all.find(({ name }) => name === baseline) ?? all[half] ?? most;
   const ranked = rankedBy(rows, all, measure);
-  const worlds = byWorld(rows, factors, all, what);
+  const worlds = ranked.length > 0 ? byWorld(rows, factors, all, what, units) : "";
   const chosen = all.find(({ name }) => name === other && name !== base.name);
   const [best, worst] = [ranked[0] ?? most, ranked[ranked.length - 1] ?? most];
   const second = chosen ?? [best, worst, ...all].find((one) => one.name !== base.name) ?? base;
@@ -69,16 +66,17 @@ export function comparisons(
   const results = new Map(others.map((one) => [one.name, compared(rows, one, base, measure)]));
   const result = /** @type {ReturnType<typeof compared>} */ (results.get(second.name));
   const sentences = [];
-  if (ranked.length === 0) sentences.push(noneOf(all, title));
+  if (ranked.length === 0) sentences.push(noneOf(rows, title, which));
   else if (!isPooled) sentences.push(UNITS);
   else {
-    sentences.push(extremes(ranked, what), pairSentence(result, second.name, base.name, measure, tests));
+    sentences.push(extremes(ranked, all, what), pairSentence(result, second.name, base.name, measure, tests));
     if (tests > 1) sentences.push(othersSentence(results, base.name, measure));
   }
   sentences.push(worlds);
   return {
     sentences: sentences.filter(Boolean),
-    names: all.map(({ name }) => name),
+    // What is not put together cannot be chosen.
+    names: isPooled ? all.map(({ name }) => name) : [],
     baseline: base.name,
     other: second.name,
   };
@@ -106,11 +104,13 @@ function rankedBy(rows, all, measure) {
 /** @typedef {{ measure: string, title: string, unit: string }} What   is measured */
 
 /** Why lengths of several kinds of robots are not put together. */
-const UNITS = "The paths of different robots have lengths in different units, so all worlds together say nothing.";
+const UNITS = "The paths of different robots have lengths in different units, so they are not put together.";
 
-/** @param {Setting[]} all @param {string} title */
-function noneOf(all, title) {
-  return all.some(({ share }) => share > 0) ? `No trial has a value of ${title}.` : "No setting found a path.";
+/** Why there is no value at all. @param {Rows} rows @param {string} title @param {Uint8Array | null} which */
+function noneOf(rows, title, which) {
+  const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).some((one) => one === 1);
+  if (!solved) return "No setting found a path.";
+  return which ? "No world and seed was solved by all settings." : `No trial has a value of ${title}.`;
 }
 
 /** @param {number} a @param {number} b */
@@ -121,19 +121,24 @@ const isEqual = (a, b) => Math.abs(a - b) <= EQUAL * Math.max(Math.abs(a), Math.
  * @param {number[]} values @param {What} what
  */
 function textsOf(values, { measure, unit }) {
-  if (isShare(measure)) return values.map((value) => `${Number(clean(value).toFixed(1))} %`);
-  const text = (/** @type {number} */ value, /** @type {number} */ digits) =>
-    Math.abs(value) >= 10 ** digits ? grouped(Math.round(value)) : String(Number(value.toPrecision(digits)));
+  const text = (/** @type {number} */ value, /** @type {number} */ digits) => {
+    if (isShare(measure)) return String(Number(clean(value).toFixed(digits - 2)));
+    return Math.abs(value) >= 10 ** digits ? grouped(Math.round(value)) : String(Number(value.toPrecision(digits)));
+  };
   const isApart = (/** @type {number} */ digits) =>
     values.every((one, i) =>
       values.every((two, j) => j <= i || isEqual(one, two) || text(one, digits) !== text(two, digits)),
     );
-  const digits = [3, 4, 5].find(isApart) ?? 6;
+  const digits = [3, 4, 5, 6, 7, 8, 9].find(isApart) ?? 10;
   return values.map((value) => `${text(value, digits)}${unit && ` ${unit}`}`);
 }
 
-/** @param {Ranked} ranked  at least one @param {What} what */
-function extremes(ranked, what) {
+/**
+ * @param {Ranked} ranked  those of all that have a value: at least one
+ * @param {{ name: string }[]} all
+ * @param {What} what
+ */
+function extremes(ranked, all, what) {
   const [best, worst] = [ranked[0], ranked[ranked.length - 1]];
   const texts = textsOf([best.value, worst.value], what);
   /** All that share an end: their names, value and numbers of trials. @param {Ranked[number]} end @param {string} text */
@@ -148,36 +153,48 @@ function extremes(ranked, what) {
   };
   const [first, last] = [sign(best, texts[0]), sign(worst, texts[1])];
   const statistic = `${isShare(what.measure) ? "share" : "median"} of ${what.title}`;
-  if (isEqual(best.value, worst.value)) return `All have the same ${statistic}, ${first.value}.`;
+  if (isEqual(best.value, worst.value))
+    return ranked.length < all.length
+      ? `The ${statistic} is ${first.value}, for ${first.names}; the others have none.`
+      : `All have the same ${statistic}, ${first.value}.`;
   const [most, least] = isShare(what.measure) ? ["largest", "smallest"] : ["smallest", "largest"];
   const other = isShare(what.measure) || best.n === worst.n ? "" : "; these are not the same trials";
-  return `The ${statistic} is ${most} for ${first.names}, ${first.value}, and ${least} for ${last.names}, ${last.value}${other}.`;
+  const none =
+    all.length > ranked.length ? `; ${counted(all.length - ranked.length, "other has", "others have")} none` : "";
+  return `The ${statistic} is ${most} for ${first.names}, ${first.value}, and ${least} for ${last.names}, ${last.value}${other}${none}.`;
 }
 
 /**
- * The order of the settings in each of a few worlds, which may be another one in each.
+ * The order of the settings in each of a few worlds, or kinds of worlds, which may be another one in each.
  * @param {Rows} rows @param {Factor[]} factors @param {Setting[]} all @param {What} what
+ * @param {Map<string, string>} units  of lengths, by the names of worlds
  */
-function byWorld(rows, factors, all, what) {
+function byWorld(rows, factors, all, what, units) {
   const world = factors.find(({ column }) => column === "world");
   if (!world || world.values.length > WORLDS) return "";
-  const parts = world.values.flatMap((value) => {
+  const parts = world.values.map((value) => {
     const inWorld = all.map(({ name, trials }) => ({
       name,
       trials: trials.filter((trial) => rows.cell(trial, "world") === value),
     }));
     const ranked = rankedBy(rows, inWorld, what.measure);
-    const shown = ranked.length > NAMES ? [ranked[0], ranked[ranked.length - 1]] : ranked;
+    const isShort = ranked.length > NAMES;
+    const shown = isShort ? [ranked[0], ranked[ranked.length - 1]] : ranked;
+    const unit = inUnit(what.measure) ? (units.get(String(value)) ?? "") : what.unit;
     const texts = textsOf(
       shown.map((one) => one.value),
-      what,
+      { ...what, unit },
     );
-    const words = shown.map(({ name }, i) => `${name} ${texts[i]}`).join(shown === ranked ? ", " : " to ");
-    return words ? [`${wordOf(value, world.words)}: ${words}`] : [];
+    const hasCounts = !isShare(what.measure) && ranked.some(({ n }) => n !== ranked[0].n);
+    const words = shown.map(({ name, n }, i) => `${name} ${texts[i]}${hasCounts ? ` (n = ${grouped(n)})` : ""}`);
+    const without = inWorld.filter(({ name, trials }) => trials.length > 0 && !ranked.some((one) => one.name === name));
+    const none = without.length > NAMES ? [`${without.length} none`] : without.map(({ name }) => `${name} none`);
+    return `${wordOf(value, world.words)}: ${[words.join(isShort ? " to " : ", "), ...none].filter(Boolean).join(", ")}`;
   });
-  if (parts.length === 0) return "";
   const [statistic, order] = isShare(what.measure) ? ["Share", "largest"] : ["Median", "smallest"];
-  return `${statistic} of ${what.title} in each world, ${order} first: ${parts.join("; ")}.`;
+  const trials = Array.from(rows.ended());
+  const each = pairsOf(rows, trials, TASK).size > world.values.length ? "each kind of world" : "each world";
+  return `${statistic} of ${what.title} in ${each}, ${order} first: ${parts.join("; ")}.`;
 }
 
 /**

@@ -54,8 +54,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
     rule: stateRule,
     link: {
       save: () => ({ document: session.document, view: session.view }),
-      contents:
-        "the experiment and the chart. Its trials run again where it is opened: more than 400 of them after a click",
+      contents: "the experiment and the chart. Its trials run again where it is opened, many of them after a click",
       open: (/** @type {ExperimentState | null} */ state, signal) => opener.openLinked(state, signal),
     },
     openFile: ({ name, text }) => opener.openFile(name, text),

@@ -26,15 +26,14 @@ export function watchResult(session, chart) {
 
   function show() {
     if (!fold.open || session.isBusy) return;
-    const { rows, factors, view, asked, measures, ceiling, unit, isMixed } = session;
+    const { rows, factors, view, asked, measures, ceiling, units } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
     const of = kind.controls.includes("measure") ? measure : work;
     const which = chart()?.common?.which;
     const { sentences, names, baseline, other } = comparisons(rows, factors, of, {
       ...view,
       which,
-      unit,
-      isMixed,
+      units,
     });
     byId("pair", HTMLElement).hidden = names.length < 2;
     offer(baselines, names, baseline);

@@ -47,9 +47,8 @@ export class ExperimentSession extends Observable {
     this.queue = new Queue(null, new Rows([], 0), 1);
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
-    /** The unit of lengths, empty where they have none or several; and whether they have several. */
-    this.unit = "";
-    this.isMixed = false;
+    /** The units of lengths by the names of worlds. @type {Map<string, string>} */
+    this.units = new Map();
     /** How many trials can be solved, once all have ended. @type {import("./ceiling.js").Ceiling | null} */
     this.ceiling = null;
     /** Worlds whose certificates are still to come. */
@@ -90,9 +89,15 @@ export class ExperimentSession extends Observable {
     return allMeasures(this.info?.columns ?? []).filter((id) => id !== "cost" || this.hasCost);
   }
 
+  /** The unit of lengths: empty where they have none, and where they have several. */
+  get unit() {
+    const several = new Set(this.units.values());
+    return several.size === 1 ? [...several][0] : "";
+  }
+
   /** Whether paths have a cost beside their length. */
   get hasCost() {
-    return this.document.planners.some(({ set, vary }) => "clearance_weight" in { ...set, ...vary });
+    return (this.resolved?.planners ?? []).some(({ set, vary }) => "clearance_weight" in { ...set, ...vary });
   }
 
   /** The measures that the document asks for. @returns {string[]} */
@@ -158,12 +163,10 @@ export class ExperimentSession extends Observable {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
       }
-      const units = lengthUnits(document);
       Object.assign(this, {
         resolved: document,
         info,
-        unit: units.length === 1 ? units[0] : "",
-        isMixed: units.length > 1,
+        units: lengthUnits(document),
         // Files of the site are known by their names.
         factors: factorsOf(
           document,

@@ -37,11 +37,14 @@ export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
   const names = [...new Set(worlds.map((world) => titleOf(world) + setOf("set" in world ? world.set : undefined)))];
   const [settings, each] = [expansions(planners), sizeOf(seeds)];
   const inEach = rows.count / (settings * each);
+  const hasQueries = worlds.some(({ queries = [] }) => queries.length > 1);
   const factors = [
     [settings, "setting"],
-    [inEach, "world"],
+    [inEach, hasQueries ? "query" : "world"],
     [each, "seed"],
-  ].flatMap(([count, noun]) => (Number(count) > 1 ? [counted(Number(count), String(noun))] : []));
+  ].flatMap(([count, noun]) =>
+    Number(count) > 1 ? [counted(Number(count), String(noun), noun === "query" ? "queries" : undefined)] : [],
+  );
   const product = Number.isInteger(inEach) && factors.length > 1 ? ` (${factors.join(" x ")})` : "";
   return `${list(algorithms, "planner")}; ${list(names, "world")}; ${counted(rows.count, "trial")}${product}.`;
 }
@@ -49,7 +52,8 @@ export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
 /** Options that do not vary. @param {Record<string, unknown> | undefined} set */
 function setOf(set) {
   const words = Object.entries(set ?? {}).map(([name, value]) => `${name.replaceAll("_", " ")} ${value}`);
-  return words.length > 0 && words.length <= NAMES ? ` (${words.join(", ")})` : "";
+  if (words.length === 0) return "";
+  return ` (${words.length > NAMES ? `${words.length} options set` : words.join(", ")})`;
 }
 
 /** How many settings planners with parameters that vary are. @param {{ vary?: Record<string, ExperimentAxis> }[]} planners */

@@ -113,19 +113,21 @@ export function titleOf(world) {
  * @returns {Robot[]}  empty: a world has a fault, which the core names
  */
 export function robotsOf(document) {
-  return ofWorlds(document, ({ robot }) => robot);
+  return [...new Set(ofWorlds(document, ({ robot }) => robot))];
 }
 
 /**
- * The units of path lengths, each once; empty where metres and radians are added.
+ * The units of path lengths by the names of worlds; empty where metres and radians are added.
  * @param {ExperimentDocument} document
+ * @returns {Map<string, string>}
  */
 export function lengthUnits(document) {
-  return ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
+  const units = ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
+  return new Map(units.map((unit, i) => [nameOf(document.worlds[i]), unit]));
 }
 
 /**
- * What there is in all worlds, each once; nothing if a world has a fault.
+ * What there is in each world; nothing if a world has a fault.
  * @template T
  * @param {ExperimentDocument} document
  * @param {(scenario: Scenario) => T} read
@@ -133,16 +135,12 @@ export function lengthUnits(document) {
  */
 function ofWorlds({ worlds }, read) {
   try {
-    return [
-      ...new Set(
-        worlds.map((world) => {
-          const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
-          const found = read(scenario);
-          scenario.free();
-          return found;
-        }),
-      ),
-    ];
+    return worlds.map((world) => {
+      const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
+      const found = read(scenario);
+      scenario.free();
+      return found;
+    });
   } catch {
     return [];
   }

@@ -209,7 +209,7 @@ export class Floor {
   }
 
   /** @param {Brush} brush */
-  drawTop({ context, palette, hatch }) {
+  drawTop({ context, palette, hatch, bold }) {
     const { session } = this;
     const { robots, shown, run, time, selected, touching, isStraight } = session;
     if (!session.document) return;
@@ -233,10 +233,10 @@ export class Floor {
     for (const i of selected === null ? order : [...order, selected]) {
       if (hit.has(i)) drawTouchingParts(context, this.view, this.partsOf(i), palette, lines);
       else this.drawBody(context, i, palette, inTheWay.has(i));
-      this.drawSigns(context, i, palette, hit.has(i));
+      this.drawSigns(context, i, palette, hit.has(i), bold);
     }
-    if (isBlocked) this.drawBlocked(context, run.blocked[0], palette);
-    if (selected !== null) this.drawSelected(context, selected, palette);
+    if (isBlocked) this.drawBlocked(context, run.blocked[0], palette, bold);
+    if (selected !== null) this.drawSelected(context, selected, palette, bold);
   }
 
   /**
@@ -266,8 +266,9 @@ export class Floor {
    * @param {number} i
    * @param {Palette} palette
    * @param {boolean} isHit
+   * @param {number} bold  scale of the words
    */
-  drawSigns(context, i, palette, isHit) {
+  drawSigns(context, i, palette, isHit, bold) {
     const { view } = this;
     const { shown, time, end, robots } = this.session;
     const room = this.roomOf(i);
@@ -283,7 +284,7 @@ export class Floor {
         context.fillStyle = palette.ink;
       } else context.fillStyle = palette.stage;
       context.fillText(text, x, y);
-    } else if (this.isLong(i)) drawLabel(context, String(i + 1), x, y, palette.ink, palette);
+    } else if (this.isLong(i)) drawLabel(context, String(i + 1), x, y, palette.ink, palette, bold);
     if (time < end && shown[i]?.isWaiting(time))
       drawWait(
         context,
@@ -319,18 +320,22 @@ export class Floor {
    * @param {Context} context
    * @param {number} robot
    * @param {Palette} palette
+   * @param {number} bold  scale of the words
    */
-  drawBlocked(context, robot, palette) {
+  drawBlocked(context, robot, palette, bold) {
     const [x, y] = this.view.place(this.session.poseAt(robot));
     const radius = reachOf(this.session.robots[robot].robot) * this.view.scaleX + 5;
     strokeWithHalo(context, [6, 2.4], palette.collision, palette, () => context.arc(x, y, radius, 0, 2 * Math.PI));
     setStroke(context, palette.collision, 2.4);
     cross(context, x + 0.72 * radius, y + 0.72 * radius, 4);
-    drawLabel(context, "no way", x, y + radius + 13, palette.collision, palette);
+    drawLabel(context, "no way", x, y + radius + 13 * bold, palette.collision, palette, bold);
   }
 
-  /** An outline around the chosen robot. @param {Context} context @param {number} i @param {Palette} palette */
-  drawSelected(context, i, palette) {
+  /**
+   * An outline around the chosen robot.
+   * @param {Context} context @param {number} i @param {Palette} palette @param {number} bold  scale of the words
+   */
+  drawSelected(context, i, palette, bold) {
     const { view } = this;
     const { robots } = this.session;
     const [x, y] = view.place(this.session.poseAt(i));
@@ -346,7 +351,7 @@ export class Floor {
       }
     }
     if (this.roomOf(i) < READABLE && !this.isLong(i))
-      drawLabel(context, String(i + 1), x, y - radius - 9, this.colours[i], palette);
+      drawLabel(context, String(i + 1), x, y - radius - 9 * bold, this.colours[i], palette, bold);
   }
 }
 

@@ -172,20 +172,21 @@ export class Floor {
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
     if (refusal) {
       const [x, y] = view.place(refusal.end === "start" ? start : goal);
-      drawLabel(context, "in collision", x, y - 22, palette.collision, palette);
+      drawLabel(context, "in collision", x, y - 9 - 13 * bold, palette.collision, palette, bold);
     }
     if (edge !== null && run.rollouts?.[edge] && run.path[edge + 1]) {
       const [a, b] = [run.path[edge], run.path[edge + 1]].map((q) => view.place(q));
       const { of, forward, backward } = run.rollouts[edge];
       const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-      const half = 122;
+      const half = 122 * bold;
       drawLabel(
         context,
         `rollouts: ${forward} of ${of} there, ${backward} of ${of} back`,
         Math.min(view.width - half, Math.max(half, x)),
-        y < 40 ? y + 20 : y - 18,
+        y < 40 * bold ? y + 7 + 13 * bold : y - 5 - 13 * bold,
         palette.ink,
         palette,
+        bold,
       );
     }
   }

@@ -38,14 +38,14 @@ export class Square extends AngleSquare {
   }
 
   /** @param {Brush} brush */
-  drawMotion({ context, palette }) {
+  drawMotion({ context, palette, bold }) {
     const { a, b, motion } = this.session;
     const isMiss = motion.missed.length > 0;
     setStroke(context, isMiss ? palette.rejected : palette.path, 3, isMiss ? [7, 5] : []);
     this.strokeMotion(context, a, motion.turns);
     drawStart(context, ...this.place(a), palette);
     drawGoal(context, ...this.place(b), palette);
-    if (isMiss) drawEndsHere(context, ...this.place(motion.at(1)), palette);
+    if (isMiss) drawEndsHere(context, ...this.place(motion.at(1)), palette, bold);
     if (motion.hit !== null) drawHit(context, ...this.place(motion.at(motion.hit)), palette);
   }
 

@@ -203,7 +203,7 @@ export class Workspace {
     const tipAt = (/** @type {Float64Array} */ q) => this.view.place(robot.scenario.endEffector(robot.fitted(q)));
     drawStart(context, ...tipAt(a), palette);
     drawGoal(context, ...tipAt(b), palette);
-    if (isMiss) drawEndsHere(context, ...tipAt(motion.at(1)), palette);
+    if (isMiss) drawEndsHere(context, ...tipAt(motion.at(1)), palette, brush.bold);
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
   }
 
@@ -262,7 +262,7 @@ export class Workspace {
   }
 
   /** The target of inverse kinematics, and the nearest point if it is out of reach. @param {Brush} brush */
-  drawTarget({ context, palette }) {
+  drawTarget({ context, palette, bold }) {
     const { target, orientation, run } = this.session;
     const [x, y] = this.view.place(target);
     context.save();
@@ -274,6 +274,6 @@ export class Workspace {
     context.restore();
     if (!run?.nearest) return;
     const [nearX, nearY] = this.view.place(run.nearest.point);
-    drawLabel(context, "nearest", nearX, nearY - 18, palette.quiet, palette);
+    drawLabel(context, "nearest", nearX, nearY - 5 - 13 * bold, palette.quiet, palette, bold);
   }
 }

@@ -22,16 +22,11 @@ export function acrossOptions({ title, isLog }) {
   };
 }
 
-/** What a logarithmic axis is: values of 0 lie on its lower edge, and its ticks are 1, 2 and 5 times powers of ten. */
+/** What a logarithmic axis is: values of 0 lie on its edge, and numbers are written out. */
 export const LOG = {
   type: /** @type {const} */ ("log"),
   clamp: true,
-  tickFormat: /** @type {any} */ (
-    (/** @type {number} */ value) => {
-      const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
-      return [1, 2, 5].includes(Math.round(value / power)) ? numberText(value) : "";
-    }
-  ),
+  tickFormat: /** @type {any} */ ((/** @type {number} */ value) => numberText(value)),
 };
 
 /** @param {Scale} up @param {boolean} [isFromZero] */

@@ -60,7 +60,7 @@ export async function openPlanner({ state, world }, documents) {
     const draw = drawingOf(new Workspace(), one, state, most);
     return (/** @type {Brush} */ brush) => {
       draw(brush);
-      if (runs.length > 1) drawLabel(brush.context, letter(i), 16, 16, brush.palette.ink, brush.palette);
+      if (runs.length > 1) drawLabel(brush.context, letter(i), 16, 16, brush.palette.ink, brush.palette, brush.bold);
     };
   });
   const [{ planner }] = runs;

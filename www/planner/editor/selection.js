@@ -130,10 +130,18 @@ function nameTouching(pane, context, editor, scenario, palette) {
     if (!(pane instanceof Workspace)) drawHit(context, x, y, palette);
     const [first, ...more] = check.touching;
     const text = `${end}: ${touchingSentence(scenario, { free: false, touching: [first] })}${more.length > 0 ? ` and ${more.length} more` : ""}`;
-    context.font = "600 13px system-ui, sans-serif";
+    context.font = `600 ${13 * pane.bold}px system-ui, sans-serif`;
     const half = context.measureText(text).width / 2 + 6;
     const inside = Math.min(Math.max(x, half), Math.max(half, pane.width - half));
-    drawLabel(context, text, inside, y < 40 ? y + 26 : y - 24, palette.collision, palette);
+    drawLabel(
+      context,
+      text,
+      inside,
+      y < 40 ? y + 13 + 13 * pane.bold : y - 11 - 13 * pane.bold,
+      palette.collision,
+      palette,
+      pane.bold,
+    );
   }
 }
 

@@ -117,7 +117,7 @@ export class JudgedDrawing {
     }
     drawHit(context, x, y, palette);
     const text = obstacle === null ? "" : obstacle === "bounds" ? "bounds" : obstacleName(obstacle);
-    drawLabel(context, text, ...besides(pane, text, x, y), palette.collision, palette);
+    drawLabel(context, text, ...besides(pane, text, x, y), palette.collision, palette, pane.bold);
   }
 
   /**
@@ -143,7 +143,7 @@ export class JudgedDrawing {
     ring(context, x, y, 5);
     context.restore();
     const text = `${num(distance, 3)} m`;
-    drawLabel(context, text, ...besides(pane, text, x, y), palette.ink, palette);
+    drawLabel(context, text, ...besides(pane, text, x, y), palette.ink, palette, pane.bold);
   }
 }
 
@@ -151,9 +151,9 @@ export class JudgedDrawing {
  * Where a label is beside a place, within the pane.
  * @param {Pane} pane @param {string} text @param {number} x @param {number} y @returns {[number, number]}
  */
-function besides({ width }, text, x, y) {
-  const half = 4 * text.length + 6;
-  return [Math.min(width - half, Math.max(half, x)), y > 40 ? y - 22 : y + 22];
+function besides({ width, bold }, text, x, y) {
+  const half = 4 * bold * text.length + 6;
+  return [Math.min(width - half, Math.max(half, x)), y > 40 * bold ? y - 9 - 13 * bold : y + 9 + 13 * bold];
 }
 
 /**

@@ -55,7 +55,15 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
     const [[x, y], [fromX, fromY]] = [beside.poses, rollout?.poses ?? trace].map((rows) => pane.pixels(rows.slice(-3)));
     const far = Math.hypot(x - fromX, y - fromY);
     const [across, up] = far > 1 ? [(x - fromX) / far, (y - fromY) / far] : [0, -1];
-    drawLabel(context, `Euler, ${beside.dt} s`, x + 68 * across, y + 26 * up, palette.unproven, palette);
+    drawLabel(
+      context,
+      `Euler, ${beside.dt} s`,
+      x + 68 * pane.bold * across,
+      y + 26 * pane.bold * up,
+      palette.unproven,
+      palette,
+      pane.bold,
+    );
   }
   for (const [what, rows] of /** @type {[typeof blocked, Float64Array][]} */ ([
     [blocked, trace],
@@ -79,7 +87,7 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
     const [ox, oy] = middleOf(document.world.obstacles[what]);
     const view = /** @type {View} */ (pane.view);
     const clear = Math.abs(view.y(oy) - hy) < 26 ? hy + (hy > 60 ? -26 : 26) : view.y(oy);
-    drawLabel(context, obstacleName(what), view.x(ox), clear, palette.collision, palette);
+    drawLabel(context, obstacleName(what), view.x(ox), clear, palette.collision, palette, pane.bold);
   }
 }
 

@@ -114,7 +114,7 @@ test("an experiment that was run", (t) =>
             const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
             assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [
               one.n,
-              ...[one.share, one.low, one.high].map((value) => 100 * Number(value)),
+              ...[one.share, one.low, one.high].map((value) => Number((100 * Number(value)).toPrecision(12))),
             ]);
           }
           await fill(page, "#view-measure", "valid");

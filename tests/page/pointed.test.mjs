@@ -273,7 +273,8 @@ test("names of axes stand clear of the numbers in small squares, and grow with t
     spans.slice(1).forEach(([from], i) => assert.ok(from > spans[i][1] + 2, `${spans}`));
     // The square of the pages of kinematics and neighbours takes the scale from the brush.
     const square = new SvgContext(side, side);
-    const brush = { context: square, palette: {}, width: side, height: side, ratio: 1, bold: scale };
+    const palette = { obstacle: "#ccc", obstacleEdge: "#888", quiet: "#555" };
+    const brush = { context: square, palette, width: side, height: side, ratio: 1, bold: scale };
     new AngleSquare().drawSquare(/** @type {any} */ (brush), [arm(0), arm(1)]);
     assert.ok(square.toString().includes(`${12 * scale}px`));
   }

@@ -397,8 +397,10 @@ const FIGURES = [
       shown(
         async (page) => {
           const rest = () => page.waitForSelector("body[data-settled=true][data-found]");
-          await page.focus("#count");
-          await page.keyboard.press("End");
+          await page.evaluate(() => {
+            for (const fold of document.querySelectorAll("details")) fold.open = true;
+          });
+          await page.press("#count", "End");
           await page.waitForSelector("body[data-n='100000']");
           await rest();
           return longest(page, async () => {

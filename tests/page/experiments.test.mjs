@@ -177,7 +177,7 @@ test("an experiment that was run", (t) =>
           }
           for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
 
-          // In words, two settings at a time, trial by trial: a yes or no by McNemar's test, a length by Wilcoxon's.
+          // In words, two settings at a time, trial by trial: a yes or no by McNemar's test, a number by Wilcoxon's.
           await page.click("#kinds [data-kind=success]");
           await fill(page, "#view-measure", "solved");
           await page.waitForSelector("body[data-chart=success][data-settled=true]");
@@ -190,7 +190,9 @@ test("an experiment that was run", (t) =>
             return {
               name,
               solved: Float64Array.from(own, ({ status }) => Number(status === "solved")),
-              lengths: Float64Array.from(own, (row) => Number(row.length ?? NaN)),
+              motions: Float64Array.from(own, ({ status, motion_checks: all }) =>
+                status === "solved" ? Number(all) : NaN,
+              ),
             };
           });
           const words = () => page.locator("#words li").allInnerTexts();
@@ -207,7 +209,7 @@ test("an experiment that was run", (t) =>
             assert.deepEqual([await page.inputValue("#other"), await page.inputValue("#baseline")], [a.name, b.name]);
             const shares = paired(a.solved, b.solved, a.name, b.name, "");
             const sentences = await words();
-            assert.ok(sentences.length <= 4, sentences.join("\n"));
+            assert.ok(sentences.length <= 5, sentences.join("\n"));
             assert.match(sentences[1], /McNemar\u2019s exact test/);
             assert.ok(sentences[1].includes(rounded(shares.sign_p)), sentences[1]);
             assert.ok(
@@ -218,18 +220,23 @@ test("an experiment that was run", (t) =>
             );
           }
           await page.click("#kinds [data-kind=box]");
-          await fill(page, "#view-measure", "length");
+          await fill(page, "#view-measure", "motion_checks");
           await page.waitForSelector("body[data-chart=box][data-settled=true]");
           const [a, , b] = settings;
-          const lengths = paired(a.lengths, b.lengths, a.name, b.name, "");
+          const motions = paired(a.motions, b.motions, a.name, b.name, "");
           const [, pair] = await words();
           assert.ok(
             pair.startsWith(
-              `The path length of ${a.name} is smaller than that of ${b.name} in ${lengths.smaller} of ${lengths.n} pairs that both solved, larger in ${lengths.larger}`,
+              `The number of motions tested of ${a.name} is smaller than that of ${b.name} in ${motions.smaller} of ${motions.n} pairs that both solved, larger in ${motions.larger}`,
             ),
             pair,
           );
-          assert.ok(pair.includes(`Wilcoxon\u2019s signed-rank test, ${rounded(lengths.wilcoxon_p)}`), pair);
+          assert.ok(pair.includes(`Wilcoxon\u2019s signed-rank test, ${rounded(motions.wilcoxon_p)}`), pair);
+          // Lengths of an arm and of a disc have different units.
+          await fill(page, "#view-measure", "length");
+          await page.waitForSelector("body[data-chart=box][data-settled=true]");
+          assert.equal((await words()).length, 3, "units, each world, the ceiling");
+          assert.equal(await page.isHidden("#pair"), true);
 
           // Lengths over the worlds and seeds that every setting solved, if it solves at least half.
           const kept = settings.filter(({ solved }) => Number(share(solved).share) >= 0.5);

@@ -20,6 +20,7 @@ import {
   chooseScene,
   finish,
   onPage,
+  reveal,
   root,
   setParameter,
   start,
@@ -397,9 +398,7 @@ const FIGURES = [
       shown(
         async (page) => {
           const rest = () => page.waitForSelector("body[data-settled=true][data-found]");
-          await page.evaluate(() => {
-            for (const fold of document.querySelectorAll("details")) fold.open = true;
-          });
+          for (const field of ["count", "seed-number", "option-metric", "measure"]) await reveal(page, `#${field}`);
           await page.press("#count", "End");
           await page.waitForSelector("body[data-n='100000']");
           await rest();

@@ -25,6 +25,11 @@ export function axisOf(text) {
     });
 }
 
+/** How many seeds these are; a document that the core has not checked may have none. @param {ExperimentSeeds | undefined} seeds */
+export function seedCount(seeds) {
+  return Array.isArray(seeds) ? seeds.length : (seeds?.count ?? 0);
+}
+
 /** @param {ExperimentSeeds} seeds */
 export function seedsText(seeds) {
   return Array.isArray(seeds) ? seeds.join(", ") : `${seeds.from} to ${seeds.from + seeds.count - 1}`;

@@ -2,7 +2,7 @@
 import { byId, grouped, make } from "../app/dom.js";
 import { once } from "../app/once.js";
 import { chartOf, remarkOf } from "./charts.js";
-import { SOLVED } from "./measures.js";
+import { SOLVED, commonUnit } from "./measures.js";
 import { subjectOf } from "./words.js";
 
 /** @import { ChartData } from "./charts.js" */
@@ -80,7 +80,7 @@ export class ChartView {
     const { drawChart, captioned } = await drawing();
     const began = performance.now();
     const { rows, factors, view, asked, units, ceiling, measures } = session;
-    const unit = new Set(units.values()).size > 1 ? "units differ" : session.unit;
+    const unit = commonUnit(units) ?? "units differ";
     const { palette, bold } = this.app.look;
     const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling, measures) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));

@@ -208,14 +208,12 @@ export function countsOf({ counts: { least, most } }) {
 
 /** Whether a logarithmic axis has no place for some values. @param {ChartData} chart */
 function hasZero({ kind, across, up, summaries, distributions, points }) {
-  const [ups, acrosses] = [
-    [
-      ...summaries.flatMap(({ least, low, middle }) => [low, middle, kind === box ? least : low]),
-      ...points.map(({ value }) => value),
-    ],
-    [...distributions.flatMap(({ values }) => values), ...points.map(({ work }) => work)],
-  ];
-  return (up.isLog && ups.includes(0)) || (across.isLog && acrosses.includes(0));
+  const isUp = () =>
+    points.some(({ value }) => value === 0) ||
+    summaries.some(({ least, low, middle }) => low === 0 || middle === 0 || (kind === box && least === 0));
+  const isAcross = () =>
+    points.some(({ work }) => work === 0) || distributions.some(({ values }) => values.includes(0));
+  return (up.isLog && isUp()) || (across.isLog && isAcross());
 }
 
 /** What a chart shows, in sentences. @param {ChartData} chart */

@@ -3,7 +3,7 @@ import { paired, quartiles } from "planarium/full";
 import { counted, grouped, listed } from "../app/dom.js";
 import { TASK, pairsOf, settingsOf } from "./common.js";
 import { groupsOf, labelOf, wordOf } from "./factors.js";
-import { SOLVED, inUnit, isShare, measureInfo, nounOf } from "./measures.js";
+import { SOLVED, commonUnit, inUnit, isShare, measureInfo, nounOf } from "./measures.js";
 import { clean, sampleOf } from "./tables.js";
 
 /** @import { Factor } from "./factors.js" */
@@ -31,10 +31,10 @@ const EQUAL = 1e-9;
  *   of the two
  */
 export function comparisons(rows, factors, measure, { baseline, other, which = null, units = new Map() } = {}) {
-  const several = new Set(units.values());
-  const { title, unit } = measureInfo(measure, several.size === 1 ? [...several][0] : "");
+  const common = commonUnit(units);
+  const { title, unit } = measureInfo(measure, common ?? "");
   const what = { measure, title, unit };
-  const isPooled = several.size < 2 || !inUnit(measure);
+  const isPooled = common !== null || !inUnit(measure);
   const all = settingsOf(rows, factors).map((one) =>
     which ? { ...one, trials: one.trials.filter((trial) => which[trial]) } : one,
   );

@@ -9,7 +9,7 @@ import { SCENES } from "../planner/scenes/scenes.js";
 import { button, row, select, toggle } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { capital } from "../widgets/format.js";
-import { axisOf, axisText, seedsOf, seedsText } from "./axis-text.js";
+import { axisOf, axisText, seedCount, seedsOf, seedsText } from "./axis-text.js";
 import { nameOf, plannerTitle } from "./factors.js";
 import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
@@ -364,11 +364,10 @@ export function watchForm(session) {
  * @returns {LinkedDocument}
  */
 export function enoughSeeds(document, before) {
-  const count = (/** @type {ExperimentSeeds} */ some) => (Array.isArray(some) ? some.length : (some?.count ?? 0));
   const areFew = (/** @type {LinkedDocument} */ { worlds }) =>
-    worlds.every((world) => !("generate" in world) || (count(world.seeds ?? [0]) === 1 && !world.vary));
+    worlds.every((world) => !("generate" in world) || (seedCount(world.seeds ?? [0]) === 1 && !world.vary));
   const isNew = areFew(document) && !(before && areFew(before));
-  return isNew && count(document.seeds) < SEEDS ? { ...document, seeds: { from: 0, count: SEEDS } } : document;
+  return isNew && seedCount(document.seeds) < SEEDS ? { ...document, seeds: { from: 0, count: SEEDS } } : document;
 }
 
 /** @param {string} title @param {...HTMLElement} parts */

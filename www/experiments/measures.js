@@ -49,6 +49,15 @@ export const OF_PATHS = ["length", "cost", "chord_length", "waypoints"];
 /** The measures of documents that say none. */
 export const USUAL = ["length", "iterations", "clearance_evaluations"];
 
+/**
+ * The unit that the lengths of all worlds have: empty where they have none, null where they differ.
+ * @param {Map<string, string>} units  by the names of worlds
+ */
+export function commonUnit(units) {
+  const several = new Set(units.values());
+  return several.size > 1 ? null : ([...several][0] ?? "");
+}
+
 /** Whether a measure is in the unit of paths, which robots differ in. @param {string} id */
 export function inUnit(id) {
   return id === "length" || id === "cost";

@@ -9,7 +9,7 @@ import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium/full";
 import { ceilingOf, tasksOf } from "./ceiling.js";
 import { factorsOf, nameOfColumn } from "./factors.js";
-import { USUAL, allMeasures } from "./measures.js";
+import { USUAL, allMeasures, commonUnit } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
 import { Queue, TrialPool } from "./pool.js";
 import { retitled } from "./ready.js";
@@ -91,8 +91,7 @@ export class ExperimentSession extends Observable {
 
   /** The unit of lengths: empty where they have none, and where they have several. */
   get unit() {
-    const several = new Set(this.units.values());
-    return several.size === 1 ? [...several][0] : "";
+    return commonUnit(this.units) ?? "";
   }
 
   /** Whether paths have a cost beside their length. */

@@ -1,6 +1,7 @@
 /** What the page says of an experiment and of its trials, in sentences. */
 import { counted, grouped } from "../app/dom.js";
 import { capital } from "../widgets/format.js";
+import { seedCount } from "./axis-text.js";
 import { plannerTitle, valuesOf } from "./factors.js";
 import { SOLVED } from "./measures.js";
 import { sampleOf } from "./tables.js";
@@ -9,7 +10,7 @@ import { titleOf } from "./worlds.js";
 /** Planners and worlds that a caption names, at most. */
 const NAMES = 3;
 
-/** @import { ExperimentAxis, ExperimentSeeds } from "planarium/full" */
+/** @import { ExperimentAxis } from "planarium/full" */
 /** @import { ExperimentSession } from "./session.js" */
 
 /** @param {ExperimentSession} session */
@@ -35,16 +36,14 @@ export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
     all.length > NAMES ? counted(all.length, noun) : all.join(", ");
   const algorithms = [...new Set(planners.map((planner) => plannerTitle(planner) + setOf(planner.set)))];
   const names = [...new Set(worlds.map((world) => titleOf(world) + setOf("set" in world ? world.set : undefined)))];
-  const [settings, each] = [expansions(planners), sizeOf(seeds)];
+  const [settings, each] = [expansions(planners), seedCount(seeds)];
   const inEach = rows.count / (settings * each);
   const hasQueries = worlds.some(({ queries = [] }) => queries.length > 1);
   const factors = [
-    [settings, "setting"],
-    [inEach, hasQueries ? "query" : "world"],
-    [each, "seed"],
-  ].flatMap(([count, noun]) =>
-    Number(count) > 1 ? [counted(Number(count), String(noun), noun === "query" ? "queries" : undefined)] : [],
-  );
+    settings > 1 ? counted(settings, "setting") : "",
+    inEach > 1 ? (hasQueries ? counted(inEach, "query", "queries") : counted(inEach, "world")) : "",
+    each > 1 ? counted(each, "seed") : "",
+  ].filter(Boolean);
   const product = Number.isInteger(inEach) && factors.length > 1 ? ` (${factors.join(" x ")})` : "";
   return `${list(algorithms, "planner")}; ${list(names, "world")}; ${counted(rows.count, "trial")}${product}.`;
 }
@@ -62,9 +61,6 @@ function expansions(planners) {
     .map(({ vary }) => Object.values(vary ?? {}).reduce((product, axis) => product * valuesOf(axis).length, 1))
     .reduce((sum, one) => sum + one, 0);
 }
-
-/** @param {ExperimentSeeds} seeds */
-const sizeOf = (seeds) => (Array.isArray(seeds) ? seeds.length : seeds.count);
 
 /** @param {ExperimentSession} session */
 export function progressOf({ rows, phase, runtime, uncertified, isBusy }) {

@@ -34,7 +34,7 @@ const SAMPLES = ["plan", "fleet"];
 
 const CALM = /** @type {import("./browser.mjs").Options} */ ({ ...DESK, reducedMotion: "reduce" });
 /** What a page says of how it comes to its state, rather than of the state. */
-const PASSING = ["settled", "plans", "begun"];
+const PASSING = ["settled", "plans", "begun", "complete"];
 const addressAt = (/** @type {string} */ name) => `${name}.html`;
 
 /** Waits until a page is as it opens. @param {Page} page @param {string} [ready] */
@@ -77,6 +77,18 @@ const assertSame = (now, then) => {
     [],
   );
 };
+
+/** The name of a field of a state. @param {string} field */
+const nameOf = (field) => field.split(":", 1)[0];
+
+/** The browser fills in no field by itself when the reader comes back. @param {Page} page */
+const assertFieldsAreOurs = async (page) =>
+  assert.deepEqual(
+    await page
+      .locator(":is(input, select, textarea):not([autocomplete=off])")
+      .evaluateAll((all) => all.map(({ id, outerHTML }) => id || outerHTML)),
+    [],
+  );
 
 /** What a page says that it refuses. @param {Page} page */
 const refusal = async (page) => {
@@ -161,6 +173,7 @@ for (const { name, link: title } of PAGES) {
               ones.filter((one) => one.checkVisibility()).map(({ id }) => id),
             );
             assert.ok(first.length <= controls, first.join(" "));
+            await assertFieldsAreOurs(page);
             if (!isCoded) usual = await stateOf(page);
           },
         );
@@ -225,6 +238,19 @@ for (const { name, link: title } of PAGES) {
           }
           assert.deepEqual(await stateOf(page), before);
         });
+        if (isCoded)
+          await t.test("is as it was left when the reader comes back to it", async () => {
+            await assertFieldsAreOurs(page);
+            const left = await stateOf(page);
+            await page.goto(addressOf(url, "icon.svg"));
+            await page.goBack();
+            await open(page);
+            await assertRemembered();
+            const now = await stateOf(page);
+            const names = now.fields.map(nameOf);
+            assertSame(now, { ...left, fields: left.fields.filter((field) => names.includes(nameOf(field))) });
+            assert.equal(await page.isHidden("#notice"), true);
+          });
         await t.test("fits a sheet of paper", async () => {
           await page.emulateMedia({ media: "print" });
           await page.setViewportSize({ width: 794, height: 1123 });

@@ -33,8 +33,11 @@ export function keepMore() {
  * @typedef {Omit<Partial<HTMLElementTagNameMap[T]>, "dataset"> & { dataset?: Record<string, unknown> }} Properties
  */
 
+const FIELDS = ["input", "select", "textarea"];
+
 /**
- * A new element with properties, data attributes and children.
+ * A new element with properties, data attributes and children. Fields are not filled in by the browser when a page is
+ * opened again: their values are the page's to restore.
  * @template {keyof HTMLElementTagNameMap} T
  * @param {T} tag
  * @param {Properties<T>} [properties]
@@ -43,6 +46,7 @@ export function keepMore() {
  */
 export function make(tag, { dataset = {}, ...properties } = /** @type {Properties<T>} */ ({}), ...children) {
   const element = Object.assign(document.createElement(tag), properties);
+  if (FIELDS.includes(tag)) element.setAttribute("autocomplete", "off");
   Object.assign(element.dataset, dataset);
   element.append(...children);
   return element;

@@ -4,6 +4,7 @@
  */
 import { byId, make } from "./dom.js";
 import { LazyFeature } from "./lazy-feature.js";
+import { keepState, stateLeft } from "./left.js";
 import { isAbort } from "./work.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 
@@ -119,7 +120,7 @@ export function setAddress(fragment) {
 
 /**
  * Makes the share button, the code of a frame and the printed link, and opens the state in the address, now and
- * whenever the address changes.
+ * whenever the address changes; on the way back to the page, the state in which it was left.
  * @param {App} app @param {StateRule} rule @param {Link} link
  * @param {(act: (signal: AbortSignal) => unknown) => Promise<unknown>} opening   of which only the newest counts
  */
@@ -148,18 +149,25 @@ export async function useLink(app, rule, { save, spare = "", open, contents }, o
   setTimeout(() => printing.use(({ printLink }) => printLink(() => ({ ...save() }), encode)), PRINT);
   /** Whether there is a state to return to. */
   let isOpen = false;
+  keepState(save);
   addEventListener("hashchange", () => {
     if (location.hash) void app.track(opening(openAddress));
   });
   await opening(openAddress);
+
+  /** What the page opens with. */
+  async function stateToOpen() {
+    const left = isOpen ? null : stateLeft((state) => rule(state, "state"));
+    if (left) return { state: { ...rule.defaults, ...left }, fault: "" };
+    return location.hash.length < 2 ? { state: null, fault: "" } : decodeState(location.hash, rule);
+  }
 
   /**
    * Opens the state in the address; where it is refused, all is as it was.
    * @param {AbortSignal} signal
    */
   async function openAddress(signal) {
-    const { state, fault } =
-      location.hash.length < 2 ? { state: null, fault: "" } : await decodeState(location.hash, rule);
+    const { state, fault } = await stateToOpen();
     signal.throwIfAborted();
     const before = isOpen ? save() : null;
     if (state) app.notice.hide();

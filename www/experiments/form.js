@@ -194,7 +194,7 @@ export function watchForm(session) {
    */
   function textRow(id, title, value, read, advice, use) {
     const reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true }, advice);
-    const input = make("input", { type: "text", id, value, autocomplete: "off", ariaLabel: title || "Work at most" });
+    const input = make("input", { type: "text", id, value, ariaLabel: title || "Work at most" });
     input.setAttribute("aria-describedby", reason.id);
     input.addEventListener("input", () => {
       reason.hidden = read(input.value) !== null;
@@ -255,7 +255,6 @@ export function watchForm(session) {
         const values = make("input", {
           type: "text",
           id: `vary-${row}-values`,
-          autocomplete: "off",
           value: varied ? axisText(varied.axis) : "",
           ariaLabel: `Values of parameter ${row + 1}`,
           placeholder: "1, 3, 5 or 1 to 30 by 1",

@@ -27,6 +27,7 @@ import { App } from "../app/app.js";
 import { byId, reveal, write } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
+import { isReturn } from "../app/left.js";
 import { watchKeys } from "../app/keys.js";
 import { once } from "../app/once.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
@@ -185,7 +186,7 @@ const isOpen = await app.open(
 
     app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
     app.setTheme();
-    if (location.hash) await openAddress();
+    if (location.hash || isReturn()) await openAddress();
     else await page.open({ scene: SCENES[0].id });
     app.onTheme(() => void app.track(drawThumbnails()));
     setTimeout(() => {
@@ -193,7 +194,7 @@ const isOpen = await app.open(
       void app.track(drawThumbnails());
     }, THUMBNAILS);
 
-    /** Opens the experiment or the step of a lesson in the address. */
+    /** Opens the experiment or the step of a lesson in the address, or what was left. */
     async function openAddress() {
       await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash);
     }
@@ -207,7 +208,8 @@ const isOpen = await app.open(
     /** Loads the modules that other scenes and prints need, for when there is no network. */
     async function loadModules() {
       try {
-        await Promise.all([open(), options.get(), placed(), asking.get(), certifying(), print.get(), loadRegions()]);
+        const features = [options, asking, print, link].map((feature) => feature.get());
+        await Promise.all([open(), placed(), certifying(), loadRegions(), ...features]);
         document.body.dataset.complete = "true";
       } catch {
         // There is no network any more: the next use tries again, and reports the error.

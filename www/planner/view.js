@@ -21,7 +21,6 @@ export function watchView(page) {
     min: String(POSES.least),
     max: String(POSES.most),
     step: "1",
-    autocomplete: "off",
   });
   poses.oninput = () => {
     const count = Number(poses.value);
@@ -136,7 +135,6 @@ export function watchView(page) {
       id: "inspect",
       min: "0",
       step: "1",
-      autocomplete: "off",
       placeholder: "none",
     });
     // The readout is announced while the field has the focus, and not while a pointer moves.

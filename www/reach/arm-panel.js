@@ -159,7 +159,6 @@ export function showArmPanel(session, onOrientation) {
         type: "number",
         id: `stop-${i}-${id}`,
         step: "any",
-        autocomplete: "off",
         ariaLabel: `${coordinates[i].name}, ${word}`,
         dataset: { joint: String(i) },
       });

@@ -139,7 +139,6 @@ function control(info, value, id) {
     id,
     type: "number",
     step: info.kind === "integer" ? "1" : "any",
-    autocomplete: "off",
     inputMode: info.kind === "integer" ? "numeric" : "decimal",
     value: value === null ? "" : String(value),
   });

@@ -33,7 +33,6 @@ export class Slider {
     this.number = make("input", {
       type: "number",
       id: `${name}-number`,
-      autocomplete: "off",
       ariaLabel: unit ? `${title}, ${SPOKEN[unit] ?? unit}` : title,
     });
     this.reason = make("p", { className: "reason", id: `${name}-reason`, hidden: true });

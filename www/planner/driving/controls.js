@@ -146,7 +146,6 @@ export class DriveControls {
         id: `roll-${id}`,
         step: "any",
         value,
-        autocomplete: "off",
         inputMode: "decimal",
       });
       return {

@@ -98,7 +98,7 @@ export function requirePart(value) {
 }
 
 /** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */
-function requireExperiment(value) {
+export function requireExperiment(value) {
   requirePart(value);
   const { scene, document, lanes } = /** @type {Partial<Experiment>} */ (value);
   must((scene || document) && lanes?.every((lane) => lane.algorithm), "it lacks a scene or an algorithm");
@@ -128,8 +128,13 @@ export async function encodeLink(experiment) {
  */
 export async function decodeLink(fragment) {
   const { value, fault } = await decodeFragment(fragment, LIMITS, requireExperiment);
-  if (fault) return { experiment: null, fault };
-  const experiment = { ...experimentRule.defaults, .../** @type {Experiment} */ (value) };
-  const lanes = experiment.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
-  return { experiment: { ...experiment, lanes }, fault: null };
+  return fault
+    ? { experiment: null, fault }
+    : { experiment: completed(/** @type {Experiment} */ (value)), fault: null };
+}
+
+/** With the entries that a link may leave out. @param {object} experiment @returns {Experiment} */
+export function completed(experiment) {
+  const all = { ...experimentRule.defaults, .../** @type {Experiment} */ (experiment) };
+  return { ...all, lanes: all.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} })) };
 }

@@ -1,8 +1,9 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
 import { errorInfo } from "../../app/error-info.js";
+import { keepState, stateLeft } from "../../app/left.js";
 import { makeShare } from "../../app/link.js";
 import { byId, counted, grouped, reveal } from "../../app/dom.js";
-import { decodeLink, encodeLink } from "./codec.js";
+import { completed, decodeLink, encodeLink, requireExperiment } from "./codec.js";
 import { experimentOf, known } from "./experiment.js";
 
 /** @import { App } from "../../app/app.js" */
@@ -72,6 +73,7 @@ export class Link {
       }
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
+    keepState(() => experimentOf(page));
     page.onOpen(() => {
       this.wanted = null;
     });
@@ -87,13 +89,16 @@ export class Link {
   }
 
   /**
-   * Opens the experiment in a fragment; where it is damaged, the first scene unless one is open.
+   * Opens the experiment in a fragment, or on the way back to the page the one that was left; where it is damaged or
+   * there is none, the first scene unless one is open.
    * @param {string} fragment
    */
   async open(fragment) {
     const { page } = this;
+    const left = page.facts ? null : stateLeft(requireExperiment);
+    if (!left && fragment === "") return page.open({ scene: this.catalogue.scenes[0].id });
     const request = ++page.request;
-    const { experiment, fault } = await decodeLink(fragment);
+    const { experiment, fault } = left ? { experiment: completed(left), fault: "" } : await decodeLink(fragment);
     if (request !== page.request) return;
     try {
       if (experiment) return await this.restore(experiment);

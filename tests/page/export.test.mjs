@@ -314,7 +314,9 @@ test("what is taken away is what the stage shows", (t) =>
                 });
                 canvas.getContext("2d")?.drawImage(image, 0, 0);
                 document.body.append(canvas);
-                return image.duration ?? 0;
+                const { duration } = image;
+                image.close();
+                return duration ?? 0;
               }),
             );
           }, gif.bytes.toString("base64"));

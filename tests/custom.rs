@@ -110,7 +110,8 @@ fn every_planner_serves_them_in_any_slicing_and_says_whether_edges_are_proven() 
             let problem = twin(&world, kind);
             let mut solved = 0;
             for &(planner, settings) in PLANNERS {
-                let settings = settings_of(&fitting(&world, settings)) + " max_iterations=1000";
+                let most = if deep() { 2000 } else { 1000 };
+                let settings = format!("{} max_iterations={most}", settings_of(&fitting(&world, settings)));
                 let what = format!("{planner} {settings} on {} by {kind:?}", world.name());
                 let whole = sliced(&what, || begin(&problem, planner, 5, &settings), of_run);
                 assert_eq!(
@@ -140,11 +141,12 @@ fn every_planner_serves_them_in_any_slicing_and_says_whether_edges_are_proven() 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_sampler_serves_them() {
     let (world, mut solved) = (arm_and_wall(0.1), 0);
+    let samples = if deep() { 200 } else { 60 };
     for sampler in SAMPLERS {
-        let settings = format!("sampler={sampler} samples=60 k=10");
+        let settings = format!("sampler={sampler} samples={samples} k=10");
         let run = finish(begin(&twin(&world, Kind::Clearance), "prm", 1, &settings));
         // Few bridges are as short as the default spread of the bridge test.
-        assert!(run.failure().is_none() && run.stats().configuration_checks > 60, "{sampler}");
+        assert!(run.failure().is_none() && run.stats().configuration_checks > samples, "{sampler}");
         if run.status() == Status::Solved {
             solved += 1;
             assert_valid(&world, &*run);

@@ -193,7 +193,7 @@ fn a_roadmap_of_learned_edges_is_planned_and_driven() {
     assert!(result.reached.count >= 8 && result.swings.n == 10, "{result:?}");
 }
 
-/// In a fresh office, or in three together.
+/// In a fresh office; in a deep run, in three together.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn prm_rl_delivers_where_the_policy_alone_and_straight_edges_do_not() {

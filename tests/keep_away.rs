@@ -109,7 +109,7 @@ fn planners_come_near_the_best_path_of_a_fine_grid() {
     const LINES: usize = 101;
     const LEAST: f64 = 0.97;
     let (mut compared, mut sums) = (0, [0.0; PLANNERS.len()]);
-    for seed in 0..cases(60) as u64 {
+    for seed in 0..cases(100) as u64 {
         let mut random = Random::new(seed, Stream::Samples);
         let mut place = || [0, 1].map(|_| 1.0 + 8.0 * random.uniform());
         let mut obstacles: Vec<String> = (0..4).map(|_| disc(place(), 0.7)).collect();
@@ -148,7 +148,7 @@ fn planners_come_near_the_best_path_of_a_fine_grid() {
         println!("{planner} {mean}");
         assert!(mean < *most, "{planner}: {mean} of the grid's on average");
     }
-    assert!(compared * 2 > cases(60), "{compared} worlds");
+    assert!(compared * 2 > cases(100), "{compared} worlds");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -22,10 +22,16 @@ export function keepMore() {
   const key = `more ${location.pathname}`;
   try {
     fold.open = sessionStorage.getItem(key) === "open";
-    fold.addEventListener("toggle", () => sessionStorage.setItem(key, fold.open ? "open" : ""));
   } catch {
     // A sandboxed frame stores nothing.
   }
+  fold.addEventListener("toggle", () => {
+    try {
+      sessionStorage.setItem(key, fold.open ? "open" : "");
+    } catch {
+      // Nor does a tab whose storage is full.
+    }
+  });
 }
 
 /**
@@ -46,7 +52,7 @@ const FIELDS = ["input", "select", "textarea"];
  */
 export function make(tag, { dataset = {}, ...properties } = /** @type {Properties<T>} */ ({}), ...children) {
   const element = Object.assign(document.createElement(tag), properties);
-  if (FIELDS.includes(tag)) element.setAttribute("autocomplete", "off");
+  if (FIELDS.includes(tag) && !element.matches("[type=file]")) element.setAttribute("autocomplete", "off");
   Object.assign(element.dataset, dataset);
   element.append(...children);
   return element;

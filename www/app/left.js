@@ -1,41 +1,43 @@
 /**
  * The state in which a page was left, for the way back and forward to it where the browser has not kept the page. It is
- * stored in the tab, by the key of the page's entry in the history; a browser without such keys opens the address.
+ * stored in the tab, by the key of the page's entry in the history; a browser without such keys opens the address. A
+ * page in a frame always opens its address, which is its parent's to choose.
  */
 
-/** The name under which the state of the current entry is stored. */
-const place = () => `left ${/** @type {any} */ (globalThis).navigation.currentEntry.key}`;
+/** Characters of a state that is stored, at most: all states of a tab have room for some millions. */
+const MOST = 1 << 20;
 
-/** Stores the state whenever the page is left. @param {() => object} save   plain data */
+const isFrame = () => window.parent !== window;
+
+/** The name under which the state of the current entry is stored. */
+const place = () => `left ${location.pathname} ${/** @type {any} */ (globalThis).navigation.currentEntry.key}`;
+
+/** Stores the state whenever the page is left. @param {() => object | null} save   plain data; null: nothing is open */
 export function keepState(save) {
+  if (isFrame()) return;
   addEventListener("pagehide", () => {
     try {
-      sessionStorage.setItem(place(), JSON.stringify(save()));
+      const state = save();
+      const text = JSON.stringify(state);
+      if (state && text.length <= MOST) sessionStorage.setItem(place(), text);
     } catch {
-      // It is too large, there is no storage or no key, or nothing is open yet.
+      // There is no storage, none is left, or the browser has no keys: the way back leads to the address.
     }
   });
 }
 
-/** Whether the browser has gone back or forward to the page. */
-export function isReturn() {
-  const [opened] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
-  return opened?.type === "back_forward";
-}
-
 /**
- * The state in which the page was left, if the browser has gone back or forward to it.
- * @param {(state: unknown) => void} check   throws what is no state of the page
- * @returns {object | null}
+ * Takes what was stored for this entry of the history.
+ * @returns {object | null} the state in which the page was left, if the browser has gone back or forward to it
  */
-export function stateLeft(check) {
-  if (!isReturn()) return null;
+export function takeState() {
+  if (isFrame()) return null;
   try {
-    const state = JSON.parse(sessionStorage.getItem(place()) ?? "null");
-    if (state) check(state);
-    return state;
+    const text = sessionStorage.getItem(place());
+    sessionStorage.removeItem(place());
+    const [opened] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
+    return text !== null && opened?.type === "back_forward" ? JSON.parse(text) : null;
   } catch {
-    // Another version of the page stored it.
     return null;
   }
 }

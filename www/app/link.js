@@ -4,7 +4,7 @@
  */
 import { byId, make } from "./dom.js";
 import { LazyFeature } from "./lazy-feature.js";
-import { keepState, stateLeft } from "./left.js";
+import { keepState, takeState } from "./left.js";
 import { isAbort } from "./work.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 
@@ -113,8 +113,9 @@ export function setAddress(fragment) {
  * @property {() => object} save   the state
  * @property {string} [spare]   an entry that is left out of a link that would be too long with it, which then is not
  *   whole
- * @property {(state: any, signal: AbortSignal) => unknown} open   gets null where the address has no state, and may
- *   throw; the signal: something else is opened meanwhile
+ * @property {() => object} [leave]   the state in which the page is left, where it has more than that of a link
+ * @property {(state: any, signal: AbortSignal, isLeft: boolean) => unknown} open   gets null where the address has no
+ *   state, and may throw; the signal: something else is opened meanwhile; `isLeft`: the reader comes back to it
  * @property {string | ((isWhole: boolean) => string)} contents   of the link, in words
  */
 
@@ -124,7 +125,7 @@ export function setAddress(fragment) {
  * @param {App} app @param {StateRule} rule @param {Link} link
  * @param {(act: (signal: AbortSignal) => unknown) => Promise<unknown>} opening   of which only the newest counts
  */
-export async function useLink(app, rule, { save, spare = "", open, contents }, opening) {
+export async function useLink(app, rule, { save, spare = "", leave = save, open, contents }, opening) {
   let isWhole = true;
   const encode = async (/** @type {Record<string, unknown>} */ state = { ...save() }) => {
     isWhole = true;
@@ -149,17 +150,51 @@ export async function useLink(app, rule, { save, spare = "", open, contents }, o
   setTimeout(() => printing.use(({ printLink }) => printLink(() => ({ ...save() }), encode)), PRINT);
   /** Whether there is a state to return to. */
   let isOpen = false;
-  keepState(save);
+  /** Whether something has been opened, or not been opened. */
+  let isBegun = false;
+  /** What is being opened. @type {Record<string, unknown> | null} */
+  let coming = null;
+  keepState(() => {
+    const state = coming ?? (isBegun ? { ...leave() } : null);
+    if (!state || !(spare in state)) return state;
+    try {
+      rule(state, "state");
+      return state;
+    } catch {
+      return { ...state, [spare]: undefined };
+    }
+  });
   addEventListener("hashchange", () => {
     if (location.hash) void app.track(opening(openAddress));
   });
-  await opening(openAddress);
+  const left = takeState();
+  await opening(left ? openLeft : openAddress);
 
-  /** What the page opens with. */
-  async function stateToOpen() {
-    const left = isOpen ? null : stateLeft((state) => rule(state, "state"));
-    if (left) return { state: { ...rule.defaults, ...left }, fault: "" };
-    return location.hash.length < 2 ? { state: null, fault: "" } : decodeState(location.hash, rule);
+  /** Opens the state in which the page was left, or else that in the address. @param {AbortSignal} signal */
+  async function openLeft(signal) {
+    try {
+      rule(left, "state");
+      await enter({ ...rule.defaults, ...left }, signal, true);
+      isOpen = true;
+    } catch (error) {
+      if (isAbort(error) || signal.aborted) throw error;
+      await openAddress(signal);
+    }
+  }
+
+  /**
+   * Opens a state; until it is open, it is the one in which the page is left.
+   * @param {Record<string, unknown> | null} state @param {AbortSignal} signal @param {boolean} [isLeft]
+   */
+  async function enter(state, signal, isLeft = false) {
+    coming = state;
+    try {
+      await open(state, signal, isLeft);
+      signal.throwIfAborted();
+    } finally {
+      if (coming === state) coming = null;
+      isBegun = true;
+    }
   }
 
   /**
@@ -167,18 +202,18 @@ export async function useLink(app, rule, { save, spare = "", open, contents }, o
    * @param {AbortSignal} signal
    */
   async function openAddress(signal) {
-    const { state, fault } = await stateToOpen();
+    const { state, fault } =
+      location.hash.length < 2 ? { state: null, fault: "" } : await decodeState(location.hash, rule);
     signal.throwIfAborted();
     const before = isOpen ? save() : null;
     if (state) app.notice.hide();
     try {
-      await open(state, signal);
-      signal.throwIfAborted();
+      await enter(/** @type {Record<string, unknown> | null} */ (state), signal);
       if (fault) app.notice.show(fault, "");
     } catch (error) {
       // Something else has begun meanwhile.
       if (!state || isAbort(error) || signal.aborted) throw error;
-      if (!before || JSON.stringify(save()) !== JSON.stringify(before)) await open(before, signal);
+      if (!before || JSON.stringify(save()) !== JSON.stringify(before)) await open(before, signal, false);
       app.fail(error, "The link cannot be opened.");
     }
     isOpen = true;

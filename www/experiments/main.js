@@ -55,7 +55,13 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
     link: {
       save: () => ({ document: session.document, view: session.view }),
       contents: "the experiment and the chart. Its trials run again where it is opened, many of them after a click",
-      open: (/** @type {ExperimentState | null} */ state, signal) => opener.openLinked(state, signal),
+      // What had begun to run begins again, and what was paused or waited does not.
+      leave: () => ({
+        document: session.document,
+        view: session.view,
+        run: ["running", "pausing", "done"].includes(session.phase),
+      }),
+      open: (/** @type {ExperimentState | null} */ state, signal, isLeft) => opener.openLinked(state, signal, isLeft),
     },
     openFile: ({ name, text }) => opener.openFile(name, text),
     openWorld: roomDoor(app, (world) => opener.openWorld(world)),

@@ -75,15 +75,16 @@ export class Opener {
    * Opens the experiment of a link; without one the first ready experiment, unless one is open.
    * @param {ExperimentState | null} state
    * @param {AbortSignal} signal   something else is opened meanwhile
+   * @param {boolean} isLeft   it was open here before, and the reader comes back to it
    */
-  async openLinked(state, signal) {
+  async openLinked(state, signal, isLeft) {
     if (!state) {
       if (!this.session.info) await this.openReady(READY[0].id, signal);
       return;
     }
     const { id, isKnown } = await readyOf(state.document);
     signal.throwIfAborted();
-    await this.open(state, id, isKnown ? AT_ONCE.here : AT_ONCE.link);
+    await this.open(state, id, isKnown || isLeft ? AT_ONCE.here : AT_ONCE.link);
   }
 
   /**

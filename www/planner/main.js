@@ -27,7 +27,7 @@ import { App } from "../app/app.js";
 import { byId, reveal, write } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
-import { isReturn } from "../app/left.js";
+import { keepState, takeState } from "../app/left.js";
 import { watchKeys } from "../app/keys.js";
 import { once } from "../app/once.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
@@ -36,6 +36,7 @@ import { offerCertificate } from "./certificate/controls.js";
 import { Counters } from "./counters.js";
 import { sourceOf } from "./experiment.js";
 import { showLegend } from "./legend.js";
+import { experimentOf } from "./link/experiment.js";
 import { Page } from "./page.js";
 import { Pose } from "./pose/controls.js";
 import { showPseudocode } from "./pseudocode.js";
@@ -186,7 +187,11 @@ const isOpen = await app.open(
 
     app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
     app.setTheme();
-    if (location.hash || isReturn()) await openAddress();
+    keepState(() => page.coming ?? (page.facts && experimentOf(page)));
+    const left = takeState();
+    // A lesson opens at its step.
+    if (left && !isLesson()) await (await link.get()).openLeft(left, location.hash);
+    else if (location.hash) await openAddress();
     else await page.open({ scene: SCENES[0].id });
     app.onTheme(() => void app.track(drawThumbnails()));
     setTimeout(() => {
@@ -194,9 +199,14 @@ const isOpen = await app.open(
       void app.track(drawThumbnails());
     }, THUMBNAILS);
 
-    /** Opens the experiment or the step of a lesson in the address, or what was left. */
+    /** Whether the address is that of a step of a lesson. */
+    function isLesson() {
+      return location.hash.startsWith("#lesson=");
+    }
+
+    /** Opens the experiment or the step of a lesson in the address. */
     async function openAddress() {
-      await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash);
+      await (await (isLesson() ? lessons : link).get()).open(location.hash);
     }
 
     async function drawThumbnails() {

@@ -59,6 +59,8 @@ export class Page {
     this.state = null;
     /** The open scenario. @type {SceneFacts | null} */
     this.facts = null;
+    /** What a link or the way back shows, until the run has come to it. @type {Experiment | null} */
+    this.coming = null;
     /** The title of the scene as it was opened. */
     this.name = "";
     /** Number of the latest request to open a scene; an older one that is still loading is dropped. */

@@ -1,6 +1,5 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
 import { errorInfo } from "../../app/error-info.js";
-import { keepState, stateLeft } from "../../app/left.js";
 import { makeShare } from "../../app/link.js";
 import { byId, counted, grouped, reveal } from "../../app/dom.js";
 import { completed, decodeLink, encodeLink, requireExperiment } from "./codec.js";
@@ -30,6 +29,7 @@ import { experimentOf, known } from "./experiment.js";
  * @property {object | null} facts
  * @property {string} robot
  * @property {number} request
+ * @property {Experiment | null} coming
  * @property {(patch: Partial<Experiment>, how?: { play: boolean }) => Promise<string[] | null>} open
  * @property {() => Promise<unknown>} arrived
  * @property {() => Promise<{ restore: Restore }>} loadDrive
@@ -73,32 +73,39 @@ export class Link {
       }
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
-    keepState(() => experimentOf(page));
     page.onOpen(() => {
-      this.wanted = null;
+      this.wanted = page.coming = null;
     });
     page.onState(({ clock, playing, refusal, settled, growing }) => {
       const { wanted } = this;
       if (wanted === null) return;
       const isOver = playing || refusal || clock.now >= wanted.time;
-      if (isOver || settled) this.wanted = null;
+      if (isOver || settled) this.wanted = page.coming = null;
       if (isOver || !settled || growing) return;
       wanted.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(wanted.time)}.`);
       this.complain(wanted.faults);
     });
   }
 
+  /** Opens the experiment that was left, or else the one in a fragment. @param {object} left @param {string} fragment */
+  async openLeft(left, fragment) {
+    try {
+      requireExperiment(left);
+      await this.restore(completed(left));
+    } catch {
+      await this.open(fragment);
+    }
+  }
+
   /**
-   * Opens the experiment in a fragment, or on the way back to the page the one that was left; where it is damaged or
-   * there is none, the first scene unless one is open.
+   * Opens the experiment in a fragment; where it is damaged or there is none, the first scene unless one is open.
    * @param {string} fragment
    */
   async open(fragment) {
     const { page } = this;
-    const left = page.facts ? null : stateLeft(requireExperiment);
-    if (!left && fragment === "") return page.open({ scene: this.catalogue.scenes[0].id });
+    if (fragment === "") return page.open({ scene: this.catalogue.scenes[0].id });
     const request = ++page.request;
-    const { experiment, fault } = left ? { experiment: completed(left), fault: "" } : await decodeLink(fragment);
+    const { experiment, fault } = await decodeLink(fragment);
     if (request !== page.request) return;
     try {
       if (experiment) return await this.restore(experiment);
@@ -127,6 +134,7 @@ export class Link {
     if (rest.timing) reveal(byId("timing", HTMLElement));
     if (rest.pose) reveal(byId("pose", HTMLElement));
     this.wanted = { time: iteration, faults };
+    page.coming = experiment;
     await this.drive(rest, faults);
     if (faults.length > 0 && page.request === request) this.complain(faults);
   }

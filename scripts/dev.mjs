@@ -7,7 +7,7 @@ import { existsSync, rmSync, watch } from "node:fs";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { buildPackage } from "./build.mjs";
-import { assemblePage } from "./page.mjs";
+import { assemblePageIn } from "./page.mjs";
 import { Problem, root, script } from "./run.mjs";
 import { requireFreePort, serve, wantedPort } from "./serve.mjs";
 
@@ -21,7 +21,7 @@ await script(async () => {
   const out = join(root, "dist", "dev");
   rmSync(out, { recursive: true, force: true });
   console.log("Making the pages, and once the gallery's pictures ...");
-  await assemblePage({ out, isDraft: true });
+  await assemblePageIn(out, true);
   const { url, reload } = await serve({ root: out, port, reloads: true });
   console.log(
     `\nPlanarium is at ${url} (Ctrl+C stops it). A change of www is shown at once; press Enter after a change of Rust.`,
@@ -44,7 +44,7 @@ await script(async () => {
       const begun = performance.now();
       try {
         if (isPackageDue) await buildPackage();
-        await assemblePage({ out, isDraft: true });
+        await assemblePageIn(out, true);
         reload();
         console.log(`made in ${((performance.now() - begun) / 1000).toFixed(2)} s`);
       } catch (error) {

@@ -8,6 +8,7 @@ import { assembleFront, slides } from "./front.mjs";
 import { assembleGallery } from "./gallery.mjs";
 import { NOTICES, addPageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
+import { unlessMade } from "./kept.mjs";
 import { GALLERY, PAGES, ROOMS, SLIDES, START, documentOf } from "./shell.mjs";
 
 export { assembleOneFile } from "./one-file.mjs";
@@ -29,10 +30,18 @@ let drawn = null;
  * planner's page, and the core of `planarium/full`; the planner's page has that of `planarium`. `planarium/import` is
  * loaded on demand. The gallery's entries, pictures and links are made here from the data in `www/gallery/`.
  *
- * @param {{ out?: string, isDraft?: boolean }} [options]   the folder; and whether files are neither compressed nor
- *   kept for use without a network, which takes most of the time. In a draft the gallery's pictures are made once.
+ * Nothing is done where they are already made of all this.
  */
-export async function assemblePage({ out = join(dist, "page"), isDraft = false } = {}) {
+export const assemblePage = () =>
+  unlessMade("page", [join("dist", "page")], null, () => assemblePageIn(join(dist, "page")));
+
+/**
+ * Assembles the pages in a folder.
+ * @param {string} out
+ * @param {boolean} [isDraft]   files are neither compressed nor kept for use without a network, which takes most of the
+ *   time, and the gallery's pictures are made once
+ */
+export async function assemblePageIn(out, isDraft = false) {
   const page = join(root, "www");
   if (!isDraft) rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });

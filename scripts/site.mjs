@@ -4,6 +4,7 @@
  */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { unlessMade } from "./kept.mjs";
 import { Problem, isMain, root, run, script } from "./run.mjs";
 import { targetFolder } from "./setup.mjs";
 
@@ -27,8 +28,16 @@ export function rustReference() {
   return join(targetFolder(), "doc", "planarium", "index.html");
 }
 
-/** Builds the site and fails if a link of it is dead. */
-export async function buildSite() {
+/** Builds the site, unless it is already made of all that it shows, and fails if a link of it is dead. */
+export const buildSite = () =>
+  unlessMade(
+    "site",
+    [join("dist", "site"), join("dist", "site-public")],
+    [BASE, existsSync(rustReference())],
+    makeSite,
+  );
+
+async function makeSite() {
   // The package may have been built a moment ago, so what draws with it is loaded only now.
   const { makeStages, publicFolder } = await import("../docs/.vitepress/planners.mjs");
   for (const folder of [publicFolder, join(root, "docs", "api")]) rmSync(folder, { recursive: true, force: true });

@@ -1,14 +1,15 @@
 /** The project's own scripts: the server, the count of tests, the guard over versions. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { judge } from "../../benches/peers/aims.mjs";
 import { figures } from "../../benches/peers/report.mjs";
 import { flat, rows } from "../../benches/peers/worlds.mjs";
 import { countsOfHarness, countsOfTap } from "../../scripts/counts.mjs";
+import { unlessMade } from "../../scripts/kept.mjs";
 import { Problem, root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { addFiles, emptyFolder } from "./packed.mjs";
@@ -73,6 +74,40 @@ test("a PORT that is none is refused", () => {
     });
     assert.equal(status, 1, PORT);
     assert.match(stderr, /PORT must be/);
+  }
+});
+
+test("a step of the build is left out while its input is the same and its output is whole", async () => {
+  const made = join("dist", "kept-test");
+  const file = join(root, made, "part", "one.txt");
+  let count = 0;
+  const step = (/** @type {unknown} */ given, fail = false) =>
+    unlessMade("kept-test", [made], given, async () => {
+      count++;
+      if (fail) throw new Problem("it fails");
+      mkdirSync(dirname(file), { recursive: true });
+      writeFileSync(file, "made");
+    });
+  try {
+    for (const [expected, change] of /** @type {[number, () => unknown][]} */ ([
+      [1, () => {}],
+      [1, () => {}],
+      [2, () => writeFileSync(file, "cut")],
+      [3, () => rmSync(file)],
+      [4, () => writeFileSync(`${file}.more`, "")],
+    ])) {
+      change();
+      await step(1);
+      assert.equal(count, expected);
+    }
+    await step(2);
+    assert.equal(count, 5, "for something else it is made again");
+    await assert.rejects(step(3, true));
+    await step(2);
+    assert.equal(count, 7, "after a failure, too");
+  } finally {
+    for (const one of [made, join("dist", "stamps", "kept-test")])
+      rmSync(join(root, one), { recursive: true, force: true });
   }
 });
 

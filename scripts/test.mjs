@@ -68,8 +68,8 @@ const JAVASCRIPT = "**/*.{js,mjs,ts}";
 /** How many lines of the output of a failed suite are repeated at the end. */
 const REPEATED_LINES = 40;
 
-/** How many test files run at a time: a test of a page keeps both its own process and the browser's busy. */
-const FILES_AT_A_TIME = 2;
+/** How many test files run at a time: a test of a page waits at times, and three keep two processors busy. */
+const FILES_AT_A_TIME = 3;
 
 /** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";

@@ -6,9 +6,9 @@ import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { DRAW, dist, includedIn, joinModules, readyExperiments } from "./bundle.mjs";
 import { assembleFront, slides } from "./front.mjs";
 import { assembleGallery } from "./gallery.mjs";
+import { unlessMade } from "./kept.mjs";
 import { NOTICES, addPageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
-import { unlessMade } from "./kept.mjs";
 import { GALLERY, PAGES, ROOMS, SLIDES, START, documentOf } from "./shell.mjs";
 
 export { assembleOneFile } from "./one-file.mjs";

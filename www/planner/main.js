@@ -190,9 +190,8 @@ const isOpen = await app.open(
     keepState(() => page.coming ?? (page.facts && experimentOf(page)));
     const left = takeState();
     // A lesson opens at its step.
-    if (left && !isLesson()) await (await link.get()).openLeft(left, location.hash);
-    else if (location.hash) await openAddress();
-    else await page.open({ scene: SCENES[0].id });
+    const isBack = left && !isLesson() && (await (await link.get()).openLeft(left));
+    if (!isBack) await (location.hash ? openAddress() : page.open({ scene: SCENES[0].id }));
     app.onTheme(() => void app.track(drawThumbnails()));
     setTimeout(() => {
       session.stage.prepare();

@@ -53,11 +53,8 @@ export class Link {
     this.page = page;
     this.projector = projector;
     this.catalogue = { scenes, generators, planners: page.planners };
-    /**
-     * The time in the link, until the run has reached it, and what of the link could not be restored.
-     * @type {{ time: number, faults: string[] } | null}
-     */
-    this.wanted = null;
+    /** What could not be restored of the experiment that is coming. @type {string[]} */
+    this.faults = [];
     const encode = async () => {
       await page.arrived();
       const experiment = experimentOf(page);
@@ -74,36 +71,36 @@ export class Link {
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
     page.onOpen(() => {
-      this.wanted = page.coming = null;
+      page.coming = null;
     });
     page.onState(({ clock, playing, refusal, settled, growing }) => {
-      const { wanted } = this;
-      if (wanted === null) return;
-      const isOver = playing || refusal || clock.now >= wanted.time;
-      if (isOver || settled) this.wanted = page.coming = null;
+      const { coming } = page;
+      if (coming === null) return;
+      const isOver = playing || refusal || clock.now >= coming.iteration;
+      if (isOver || settled) page.coming = null;
       if (isOver || !settled || growing) return;
-      wanted.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(wanted.time)}.`);
-      this.complain(wanted.faults);
+      this.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(coming.iteration)}.`);
+      this.complain(this.faults);
     });
   }
 
-  /** Opens the experiment that was left, or else the one in a fragment. @param {object} left @param {string} fragment */
-  async openLeft(left, fragment) {
+  /** Opens the experiment that was left. @param {object} left @returns {Promise<boolean>} whether it can be opened */
+  async openLeft(left) {
     try {
       requireExperiment(left);
       await this.restore(completed(left));
+      return true;
     } catch {
-      await this.open(fragment);
+      return false;
     }
   }
 
   /**
-   * Opens the experiment in a fragment; where it is damaged or there is none, the first scene unless one is open.
+   * Opens the experiment in a fragment; where it is damaged, the first scene unless one is open.
    * @param {string} fragment
    */
   async open(fragment) {
     const { page } = this;
-    if (fragment === "") return page.open({ scene: this.catalogue.scenes[0].id });
     const request = ++page.request;
     const { experiment, fault } = await decodeLink(fragment);
     if (request !== page.request) return;
@@ -126,14 +123,14 @@ export class Link {
     if (!unfit) return;
     const { request } = page;
     faults.push(...unfit);
-    const { iteration, view, ...rest } = experiment;
+    const { view, ...rest } = experiment;
     this.projector.turn(view.projector ?? false);
     if (SHOWN.some((name) => view[name])) reveal(byId("view", HTMLElement));
     if (ROOM.some((name) => view[name])) reveal(byId("room", HTMLElement));
     if (page.plans.length > 1) reveal(byId("race", HTMLElement));
     if (rest.timing) reveal(byId("timing", HTMLElement));
     if (rest.pose) reveal(byId("pose", HTMLElement));
-    this.wanted = { time: iteration, faults };
+    this.faults = faults;
     page.coming = experiment;
     await this.drive(rest, faults);
     if (faults.length > 0 && page.request === request) this.complain(faults);

@@ -420,7 +420,14 @@ test("what was open once opens without a network, every page of it, and plans th
       });
       await page.waitForFunction((address) => caches.match(address), src);
       assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
+      // So are pages of the documentation.
+      const worksheet = addressOf(url, "docs/worksheet.html");
+      await page.goto(worksheet);
+      await page.waitForFunction((address) => caches.match(address), worksheet);
       await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(worksheet);
+      assert.equal(await page.locator("#answers").count(), 1);
       await page.goto("about:blank");
       await page.goto(addressOf(url));
       await open(page, ROWS.plan.ready);

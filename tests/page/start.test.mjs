@@ -148,7 +148,7 @@ test("each slide of the class has its question, its answer on demand, and its pa
         await page.waitForSelector(`#deck[data-slide="${i + 1}"]`);
         assert.equal(await page.innerText("h1:visible"), question);
         assert.equal(await page.locator(".answer:visible").count(), 0);
-        const frame = (await (await page.waitForSelector("iframe")).contentFrame()) ?? assert.fail();
+        const frame = (await (await page.waitForSelector("iframe:not(.past)")).contentFrame()) ?? assert.fail();
         await frame.waitForSelector("body[data-settled=true]");
         assert.equal(frame.url(), url + address.replace("#", "?embed=1#"));
         assert.equal(await frame.isHidden("#notice"), true, question);
@@ -162,19 +162,36 @@ test("each slide of the class has its question, its answer on demand, and its pa
       await page.waitForSelector(`#deck[data-slide="${count - 1}"]`);
       assert.equal(new URL(page.url()).hash, `#${count - 1}`);
       // Space plays; a remote control also turns the slides after a click into the live page.
-      const live = (await (await page.waitForSelector("iframe")).contentFrame()) ?? assert.fail();
+      const live = (await (await page.waitForSelector("iframe:not(.past)")).contentFrame()) ?? assert.fail();
       await live.waitForSelector("#play:enabled");
       await page.keyboard.press(" ");
       await live.waitForSelector("#counters:not([data-iterations='0'])", { state: "attached" });
       await live.click("#play");
       await page.keyboard.press("PageUp");
       await page.waitForSelector(`#deck[data-slide="${count - 2}"]`);
+      // The keys belong to the slides again.
+      await page.keyboard.press("a");
+      assert.equal(await page.locator(".answer:visible").count(), 1);
+      // Back at a slide its run is as it was left; each page that stays has a core, so there are few.
+      await live.waitForSelector("#play:enabled");
+      const left = await live.getAttribute("#counters", "data-iterations");
+      await page.keyboard.press("PageDown");
+      assert.equal(await (await page.waitForSelector("iframe:not(.past)")).contentFrame(), live);
+      assert.equal(await live.getAttribute("#counters", "data-iterations"), left);
+      assert.equal(await page.locator("iframe").count(), 3);
+      await page.click("#previous");
       await page.emulateMedia({ media: "print" });
+      await page.waitForSelector("#answers li");
+      assert.equal(await page.locator(".answer:visible").count(), 0);
+      assert.deepEqual(
+        await page.locator("#answers li").allInnerTexts(),
+        classPlan().map(({ answer }) => answer),
+      );
       for (const [i, { page: address }] of classPlan().entries())
         if (isDeep || i === 1 || i === count - 1)
           assert.equal(await printedCode(page, page.locator(".slide svg").nth(i)), url + address);
       await page.emulateMedia({ media: "screen" });
-      assert.equal(await page.locator(".slide svg:visible").count(), 0);
+      assert.equal(await page.locator(".slide svg:visible, #answers:visible").count(), 0);
     },
     { path: "class.html" },
   ));

@@ -1,6 +1,6 @@
 /**
- * The service worker: it stores all files of the pages for use without a network, but the pictures of the gallery only
- * when they are seen. With a network, files are fetched.
+ * The service worker: it stores all files of the pages for use without a network, but the pictures of the gallery and the
+ * documentation only when they are seen. With a network, files are fetched.
  */
 
 /** The version of the build, and its files. */
@@ -10,8 +10,8 @@ const { VERSION, FILES } = /** @type {{ VERSION: string, FILES: string[] }} */ (
 /** @typedef {ExtendableEvent & { request: Request, respondWith(response: Promise<Response>): void }} FetchEvent */
 
 const NAME = `planarium-${VERSION}`;
-/** Pictures of the gallery. */
-const PICTURE = /\/gallery\/[^/]+\.svg$/;
+/** Pictures of the gallery, and the documentation. */
+const SEEN = /\/gallery\/[^/]+\.svg$|\/docs\//;
 
 addEventListener("install", (event) =>
   /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))),
@@ -33,9 +33,9 @@ addEventListener("fetch", (event) => {
   const { request, respondWith } = /** @type {FetchEvent} */ (event);
   if (request.method !== "GET" || new URL(request.url).origin !== location.origin) return;
   const fetched = fetch(request).then((response) => {
-    if (response.ok && PICTURE.test(request.url)) {
+    if (response.ok && SEEN.test(request.url)) {
       const copy = response.clone();
-      // Where there is no room, the picture is shown all the same.
+      // Where there is no room, it is shown all the same.
       /** @type {ExtendableEvent} */ (event).waitUntil(
         caches
           .open(NAME)

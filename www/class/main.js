@@ -1,13 +1,14 @@
 /**
  * The slides of a class: one question and one live page each. The arrow keys turn the slides, A shows the answer and
  * Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
- * Escape there all keys belong to the slides again. The fragment is the number of the slide. On paper each question has
- * a code that opens its page.
+ * Escape there all keys belong to the slides again. The fragment is the number of the slide. The pages of the slides
+ * before stay as they were, so that one can go back to a run. On paper each question has a code that opens its page,
+ * and the answers are on a sheet of their own.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).
  */
-import { byId } from "../app/dom.js";
+import { byId, make } from "../app/dom.js";
 import { qrCode } from "../app/qr-code.js";
 import { watchTheme } from "../app/theme.js";
 
@@ -15,6 +16,10 @@ const deck = byId("deck", HTMLElement);
 const slides = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".slide")]);
 const [answer, previous, next] = ["answer", "previous", "next"].map((id) => byId(id, HTMLButtonElement));
 const own = byId("own", HTMLAnchorElement);
+/** The pages of the slides that were shown last, the latest at the end. @type {Map<number, HTMLIFrameElement>} */
+const frames = new Map();
+/** How many of them stay: each has a core. */
+const KEPT = 3;
 let at = -1;
 
 /** @param {boolean} isShown */
@@ -24,20 +29,59 @@ function showAnswer(isShown) {
   answer.ariaPressed = String(isShown);
 }
 
-/** Only the page that is shown is loaded; a new frame adds nothing to the history. */
+/** Shows the page of the slide: as it was left, if it is among the latest. */
+function showPage() {
+  const { page = "" } = slides[at].dataset;
+  own.href = page;
+  for (const frame of frames.values()) if (!frame.classList.contains("past")) leave(frame);
+  const frame = frames.get(at) ?? load();
+  frame.classList.remove("past");
+  frames.delete(at);
+  frames.set(at, frame);
+  const [[oldest, its]] = frames;
+  if (frames.size > KEPT) {
+    its.remove();
+    frames.delete(oldest);
+  }
+  showSettled();
+}
+
+/** Pauses a page and hides it; the keys belong to the slides again. @param {HTMLIFrameElement} frame */
+function leave(frame) {
+  frame.contentWindow?.postMessage({ planarium: "pause" }, "*");
+  const inside = frame.contentDocument;
+  // The page of experiments takes no messages.
+  if (inside?.body.dataset.phase === "running") inside.getElementById("run")?.click();
+  if (document.activeElement === frame) deck.focus({ preventScroll: true });
+  frame.classList.add("past");
+}
+
+/** Gives a page the theme of the slides. @param {HTMLIFrameElement} frame */
+function dress({ contentDocument: inside }) {
+  const themeOf = (/** @type {Document} */ { documentElement }) =>
+    documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  if (inside && themeOf(inside) !== themeOf(document)) inside.getElementById("theme")?.click();
+}
+
+function showSettled() {
+  document.body.dataset.settled = frames.get(at)?.dataset.loaded ?? "false";
+}
+
+/** A new frame adds nothing to the history. */
 function load() {
   const { page = "", title = "" } = slides[at].dataset;
-  own.href = page;
-  document.body.dataset.settled = "false";
   const frame = Object.assign(document.createElement("iframe"), { title });
   frame.addEventListener("load", () => {
     frame.contentWindow?.addEventListener("keydown", (event) => {
       if (event.key.startsWith("Page") && !event.defaultPrevented) turnBy(event);
     });
-    document.body.dataset.settled = "true";
+    frame.dataset.loaded = "true";
+    dress(frame);
+    showSettled();
   });
   frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
-  byId("frame", HTMLElement).replaceChildren(frame);
+  byId("frame", HTMLElement).append(frame);
+  return frame;
 }
 
 /** @param {number} index */
@@ -49,7 +93,7 @@ function turnTo(index) {
     slide.hidden = i !== at;
   });
   showAnswer(false);
-  load();
+  showPage();
   previous.disabled = at === 0;
   next.disabled = at === slides.length - 1;
   byId("at", HTMLElement).textContent = `${at + 1} of ${slides.length}`;
@@ -65,28 +109,30 @@ function turnBy({ key }) {
 
 /** Plays or pauses the live page. */
 function play() {
-  const [frame] = byId("frame", HTMLElement).getElementsByTagName("iframe");
-  /** @type {HTMLButtonElement | null | undefined} */ (frame?.contentDocument?.querySelector("#play, #run"))?.click();
+  const inside = frames.get(at)?.contentDocument;
+  /** @type {HTMLButtonElement | null | undefined} */ (inside?.querySelector("#play, #run"))?.click();
 }
 
-/** The codes of all pages: they are drawn with the first print. */
-function drawCodes() {
-  if (document.querySelector(".slide svg")) return;
+/** The codes of all pages and the sheet of the answers: they are made with the first print. */
+function prepareSheets() {
+  if (document.querySelector("#answers")) return;
   for (const slide of slides) {
     const { page = "", title = "" } = slide.dataset;
     slide.prepend(qrCode(new URL(page, location.href).href, `QR code of the link to ${title}`));
   }
+  const texts = slides.map((slide) => slide.querySelector(".answer")?.textContent ?? "");
+  const list = make("ol", {}, ...texts.map((text) => make("li", {}, text)));
+  deck.append(make("section", { id: "answers" }, make("h2", {}, "Answers"), list));
 }
 
 const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);
 
-// The page in the frame reads the theme when it opens.
-watchTheme(load);
+watchTheme(() => frames.forEach(dress));
 answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true"));
 previous.addEventListener("click", () => turnTo(at - 1));
 next.addEventListener("click", () => turnTo(at + 1));
 // After a click of the mouse Space plays, rather than pressing the button again.
-for (const button of [answer, previous, next])
+for (const button of [answer, previous, next, byId("theme", HTMLButtonElement)])
   button.addEventListener("click", ({ detail }) => detail > 0 && deck.focus({ preventScroll: true }));
 addEventListener("hashchange", open);
 addEventListener("keydown", (event) => {
@@ -98,7 +144,7 @@ addEventListener("keydown", (event) => {
     play();
   } else turnBy(event);
 });
-addEventListener("beforeprint", drawCodes);
-matchMedia("print").addEventListener("change", drawCodes);
+addEventListener("beforeprint", prepareSheets);
+matchMedia("print").addEventListener("change", prepareSheets);
 answer.disabled = false;
 open();

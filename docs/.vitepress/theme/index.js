@@ -2,6 +2,7 @@
 import DefaultTheme from "vitepress/theme-without-fonts";
 import { useData, withBase } from "vitepress";
 import { defineComponent, h, ref, watch } from "vue";
+import { qrCode } from "../../../www/app/qr-code.js";
 import "./style.css";
 
 /** A picture of a run, which the planner's page in a frame replaces once it is asked for. */
@@ -58,10 +59,22 @@ const LiveStage = defineComponent({
   },
 });
 
+/** On paper a page of the class `codes` has a code beside each task, which opens its run. They are drawn with the first print. */
+function drawCodes() {
+  for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll(".codes li > p > a"))) {
+    const task = link.closest("li");
+    if (!link.hash || task?.querySelector(".code")) continue;
+    const code = qrCode(link.href, `QR code of the link to ${link.textContent}`);
+    code.classList.add("code");
+    task?.prepend(code);
+  }
+}
+
 export default {
   extends: DefaultTheme,
   /** @param {{ app: import("vue").App }} site */
   enhanceApp({ app }) {
     app.component("LiveStage", LiveStage);
+    if (typeof window !== "undefined") addEventListener("beforeprint", drawCodes);
   },
 };

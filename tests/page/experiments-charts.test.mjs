@@ -82,7 +82,7 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
     assert.match(remarkOf(chart), /^[A-Z].* n = \d+ (?:each|to \d+)\./, id);
     assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
     const captionWhile = (/** @type {number} */ uncertified) =>
-      captionOf(chart, { document: small, view: {}, ceiling: null, rows, uncertified });
+      captionOf(chart, { document: small, caption: "", ceiling: null, rows, uncertified });
     const subject =
       "PRM (samples 40), RRT-Connect (max iterations 60); Two links among stones, made (count 20); 8 trials.";
     assert.equal(captionWhile(0), `${subject} ${remarkOf(chart)}`, id);
@@ -155,6 +155,22 @@ test("sentences name all that share an end, tell values apart, and do not add me
   assert.deepEqual(comparisons(few, two, "length", { which: new Uint8Array(4) }).sentences, [
     "No world and seed was solved by all settings.",
   ]);
+  // The worlds of pairs are those in which both have a value.
+  const three = new Rows(["planner", "world", "seed", "status", "length"], 12);
+  for (let trial = 0; trial < 12; trial++) {
+    const [planner, world] = ["ab"[trial % 2], "uvw"[(trial >> 1) % 3]];
+    const isSolved = planner === "a" || world !== "w";
+    three.set(
+      trial,
+      [planner, world, Math.floor(trial / 6), isSolved ? "solved" : "failed", isSolved ? trial : null],
+      [0, 0],
+    );
+  }
+  assert.match(
+    comparisons(three, [of("planner", ["a", "b"]), of("world", ["u", "v", "w"])], "length", { units: metres })
+      .sentences[1],
+    /of 4 pairs that both solved.*it takes the pairs, of 2 worlds, as independent/,
+  );
   // One setting that solves nothing, in two worlds.
   const none = new Rows(["planner", "world", "seed", "status", "length"], 2);
   for (let trial = 0; trial < 2; trial++) none.set(trial, ["a", worlds[trial], 0, "failed", null], [0, 0]);

@@ -260,8 +260,16 @@ test("an experiment that was run", (t) =>
           await fill(page, "#title", "Trials & errors");
           await page.fill("#own-caption", "A caption by the reader.");
           await page.waitForSelector("body[data-phase=done][data-done='48'][data-settled=true]");
-          assert.match(await page.innerText("#remark"), /^A caption by the reader\. Boxes: quartiles /);
+          assert.match(
+            await page.innerText("#remark"),
+            /^A caption by the reader\. .*; 48 trials .* Boxes: quartiles /,
+          );
           await tableOf(page, "line");
+          // Another measure has its caption.
+          await page.selectOption("#view-measure", "solved");
+          assert.equal(await page.inputValue("#own-caption"), "");
+          await page.selectOption("#view-measure", "length");
+          assert.equal(await page.inputValue("#own-caption"), "A caption by the reader.");
 
           const png = await taken(page, "png");
           assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);

@@ -145,18 +145,18 @@ export class ChartView {
 }
 
 /**
- * What is under the chart, in its exports too: the reader's caption, or what was run; what the marks mean; and what is
- * still to come.
+ * What is under the chart, in its exports too: the reader's caption, what was run, what the marks mean, and what is still
+ * to come.
  * @param {ChartData} chart
- * @param {Pick<ExperimentSession, "document" | "view" | "ceiling" | "rows" | "uncertified">} session
+ * @param {Pick<ExperimentSession, "document" | "caption" | "ceiling" | "rows" | "uncertified">} session
  */
 export function captionOf(chart, session) {
-  const { view, ceiling, rows, uncertified } = session;
+  const { caption, ceiling, rows, uncertified } = session;
   const isOfPaths = chart.measure === SOLVED || chart.kind.isOfAll;
   const words = ceiling && isOfPaths ? [ceiling.words] : [];
   const left = rows.done < rows.count ? [`${grouped(rows.done)} of ${grouped(rows.count)} trials.`] : [];
   if (isOfPaths && uncertified > 0) left.push("Worlds without a path are still being examined.");
-  return [view.caption ?? subjectOf(session), remarkOf(chart), ...words, ...left].join(" ");
+  return [caption, subjectOf(session), remarkOf(chart), ...words, ...left].filter(Boolean).join(" ");
 }
 
 /** @param {Cell} cell */

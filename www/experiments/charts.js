@@ -122,6 +122,8 @@ export function completed(view, factors, asked, all) {
     second,
     measure,
     work,
+    // What the chart is about.
+    subject: kind.controls.includes("measure") ? measure : work,
     isLog: view.isLog ?? false,
     canBeCommon,
     isCommon: canBeCommon && (view.isCommon ?? false),

@@ -33,7 +33,7 @@ const EQUAL = 1e-9;
 export function comparisons(rows, factors, measure, { baseline, other, which = null, units = new Map() } = {}) {
   const common = commonUnit(units);
   const { title, unit } = measureInfo(measure, common ?? "");
-  const what = { measure, title, unit };
+  const what = { measure, title, unit, isCut: which !== null };
   const isPooled = common !== null || !inUnit(measure);
   const all = settingsOf(rows, factors).map((one) =>
     which ? { ...one, trials: one.trials.filter((trial) => which[trial]) } : one,
@@ -101,7 +101,10 @@ function rankedBy(rows, all, measure) {
 }
 
 /** @typedef {ReturnType<typeof rankedBy>} Ranked */
-/** @typedef {{ measure: string, title: string, unit: string }} What   is measured */
+/**
+ * @typedef {{ measure: string, title: string, unit: string, isCut: boolean }} What   is measured; `isCut`: only where all
+ *   settings solved, those apart that solve too little
+ */
 
 /** Why lengths of several kinds of robots are not put together. */
 const UNITS = "The paths of different robots have lengths in different units, so they are not put together.";
@@ -155,12 +158,15 @@ function extremes(ranked, all, what) {
   const statistic = `${isShare(what.measure) ? "share" : "median"} of ${what.title}`;
   if (isEqual(best.value, worst.value))
     return ranked.length < all.length
-      ? `The ${statistic} is ${first.value}, for ${first.names}; the others have none.`
+      ? `The ${statistic} is ${first.value}, for ${first.names}; the others ${what.isCut ? "are left out" : "have none"}.`
       : `All have the same ${statistic}, ${first.value}.`;
   const [most, least] = isShare(what.measure) ? ["largest", "smallest"] : ["smallest", "largest"];
   const other = isShare(what.measure) || best.n === worst.n ? "" : "; these are not the same trials";
-  const none =
-    all.length > ranked.length ? `; ${counted(all.length - ranked.length, "other has", "others have")} none` : "";
+  const missing = all.length - ranked.length;
+  const without = what.isCut
+    ? counted(missing, "other is left out", "others are left out")
+    : `${counted(missing, "other has", "others have")} none`;
+  const none = missing > 0 ? `; ${without}` : "";
   return `The ${statistic} is ${most} for ${first.names}, ${first.value}, and ${least} for ${last.names}, ${last.value}${other}${none}.`;
 }
 
@@ -207,16 +213,18 @@ function byWorld(rows, factors, all, what, units) {
 function compared(rows, a, b, measure) {
   const own = new Set(a.trials);
   const pairs = [...pairsOf(rows, [...a.trials, ...b.trials]).values()].filter(({ length }) => length === 2);
-  const sample = (/** @type {boolean} */ isFirst) =>
+  const [ofA, ofB] = [true, false].map((isFirst) =>
     sampleOf(
       rows,
       /** @type {number[]} */ (pairs.map((pair) => pair.find((trial) => own.has(trial) === isFirst))),
       measure,
-    );
-  const { n, smaller, larger, sign_p, wilcoxon_p } = paired(sample(true), sample(false), a.name, b.name, measure);
+    ),
+  );
+  const { n, smaller, larger, sign_p, wilcoxon_p } = paired(ofA, ofB, a.name, b.name, measure);
+  const whole = pairs.filter((_, i) => !Number.isNaN(ofA[i]) && !Number.isNaN(ofB[i]));
   const tasks = pairsOf(
     rows,
-    pairs.map(([trial]) => trial),
+    whole.map(([trial]) => trial),
     TASK,
   ).size;
   return { n, smaller, larger, tasks, p: isShare(measure) ? sign_p : wilcoxon_p };
@@ -260,7 +268,10 @@ function othersSentence(results, base, measure) {
     { word: less, some: shown.filter(([, one]) => one.larger < one.smaller) },
   ]
     .filter(({ some }) => some.length > 0)
-    .map(({ word, some }) => `${word}: ${some.length > NAMES ? some.length : some.map(([name]) => name).join(", ")}`);
+    .map(
+      ({ word, some }) =>
+        `${word}: ${some.length > NAMES ? `${some.length} of them` : some.map(([name]) => name).join(", ")}`,
+    );
   const others = `${results.size} other settings`;
   return parts.length === 0
     ? `None of the ${others} differs significantly from ${base}.`

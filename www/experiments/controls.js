@@ -1,7 +1,7 @@
 /** The controls of the chart: its kind, what is measured, and what is across. */
 import { byId, make } from "../app/dom.js";
 import { press, toggle } from "../widgets/elements.js";
-import { CHARTS, completed } from "./charts.js";
+import { CHARTS } from "./charts.js";
 import { OF_PATHS, isShare, measureInfo, titled } from "./measures.js";
 
 /** @import { ExperimentSession } from "./session.js" */
@@ -39,13 +39,8 @@ export function watchControls(session) {
   return show;
 
   function show() {
-    const { view, factors, asked, measures, unit } = session;
-    const { kind, axis, second, measure, work, isLog, canBeCommon, isCommon } = completed(
-      view,
-      factors,
-      asked,
-      measures,
-    );
+    const { factors, measures, unit } = session;
+    const { kind, axis, second, measure, work, isLog, canBeCommon, isCommon } = session.shown;
     const has = (/** @type {typeof kind.controls[number]} */ control) => kind.controls.includes(control);
     for (const { kind: one, element } of kinds) {
       press(element, one === kind);

@@ -9,10 +9,13 @@ import { LETTER, SIDES } from "./charts/parts.js";
 /** @import { Palette } from "../app/palette.js" */
 /** @import { ChartData, Style } from "./charts.js" */
 
-/** Pixels of a line of the legend or the caption, of the title, and beside them. */
+/** Pixels of a line of the legend or the caption, of the title, above it, and beside them; and of their letters. */
 const LINE = 20;
-const HEAD = 36;
+const HEAD = 24;
+const ABOVE = 12;
 const EDGE = 12;
+const FONT = 12;
+const LARGE = 17;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
 
@@ -192,8 +195,10 @@ function legendElement({ entries }, palette, { kind }) {
  */
 export function captioned(picture, { title, caption, palette }) {
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
-  const lines = linesOf(caption, Math.floor((width - 2 * EDGE) / LETTER));
-  const head = title ? HEAD : 0;
+  const letters = (width - 2 * EDGE) / LETTER;
+  const lines = linesOf(caption, Math.floor(letters));
+  const titles = linesOf(title, Math.floor((letters * FONT) / LARGE));
+  const head = titles.length > 0 ? ABOVE + HEAD * titles.length : 0;
   const whole = height + head + (lines.length > 0 ? LINE * (lines.length + 1) : 0);
   const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
   chart.setAttribute("y", String(head));
@@ -201,8 +206,8 @@ export function captioned(picture, { title, caption, palette }) {
     element("text", { x: EDGE, y, fill: palette.ink, ...more }, words);
   const frame = element(
     "svg",
-    { width, height: whole, viewBox: `0 0 ${width} ${whole}`, "font-size": 12 },
-    ...(title ? [text(24, title, { "font-size": 17, "font-weight": 600 })] : []),
+    { width, height: whole, viewBox: `0 0 ${width} ${whole}`, "font-size": FONT },
+    ...titles.map((line, i) => text(HEAD * (i + 1), line, { "font-size": LARGE, "font-weight": 600 })),
     chart,
     ...lines.map((line, i) => text(head + height + LINE * (i + 1), line)),
   );

@@ -42,8 +42,8 @@ const viewRule = record({
   // The names of the settings that are compared: all others with the first, too.
   baseline: text,
   other: text,
-  // Instead of what the marks mean.
-  caption: formed(/^[^]*$/, 600),
+  // Before what was run, of each measure.
+  captions: list(record({ measure: name, text: formed(/^[^]*$/, 600) }), 0, 100),
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */
   reported: list(
     record({

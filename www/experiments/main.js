@@ -40,7 +40,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
   );
   showExports(session, view);
   title.addEventListener("change", () => session.rename(title.value.trim()));
-  caption.addEventListener("input", () => session.show({ caption: caption.value || undefined }));
+  caption.addEventListener("input", () => (session.caption = caption.value));
   run.addEventListener("click", toggle);
   cancel.addEventListener("click", () => session.cancel());
   view.host.addEventListener("click", ({ target }) => {
@@ -113,7 +113,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
       app.notice.element.scrollIntoView({ block: "nearest" });
     } else if (change === "checked") app.notice.hide();
     if (document.activeElement !== title) title.value = session.document.title ?? "";
-    if (document.activeElement !== caption) caption.value = session.view.caption ?? "";
+    if (document.activeElement !== caption) caption.value = session.caption;
     app.write({ where: info ? `${grouped(rows.count)} trials${pool.most > 1 ? ` on ${pool.most} workers` : ""}` : "" });
     app.say(sentenceOf(session), { isBad: phase === "refused" || phase === "failed", isSilent: change === "rows" });
     if (change === "checked" || change === "view" || change === "document") showControls();

@@ -1,6 +1,5 @@
 /** The result in sentences: the settings of planners are compared, all with the first one or two with each other. */
 import { byId, make } from "../app/dom.js";
-import { completed } from "./charts.js";
 import { comparisons } from "./comparisons.js";
 
 /** @import { ChartData } from "./charts.js" */
@@ -26,11 +25,10 @@ export function watchResult(session, chart) {
 
   function show() {
     if (!fold.open || session.isBusy) return;
-    const { rows, factors, view, asked, measures, ceiling, units } = session;
-    const { kind, measure, work } = completed(view, factors, asked, measures);
-    const of = kind.controls.includes("measure") ? measure : work;
+    const { rows, factors, view, ceiling, units } = session;
+    const { subject } = session.shown;
     const which = chart()?.common?.which;
-    const { sentences, names, baseline, other } = comparisons(rows, factors, of, {
+    const { sentences, names, baseline, other } = comparisons(rows, factors, subject, {
       ...view,
       which,
       units,

@@ -8,6 +8,7 @@ import { Jobs, isLost } from "../app/pool.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium/full";
 import { ceilingOf, tasksOf } from "./ceiling.js";
+import { completed } from "./charts.js";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures, commonUnit } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
@@ -135,6 +136,23 @@ export class ExperimentSession extends Observable {
   show(view) {
     this.view = { ...this.view, ...view };
     this.update("view");
+  }
+
+  /** What is shown. */
+  get shown() {
+    return completed(this.view, this.factors, this.asked, this.measures);
+  }
+
+  /** The reader's caption of what is shown, or empty. */
+  get caption() {
+    return this.view.captions?.find(({ measure }) => measure === this.shown.subject)?.text ?? "";
+  }
+
+  set caption(text) {
+    const { subject: measure } = this.shown;
+    const others = (this.view.captions ?? []).filter((one) => one.measure !== measure);
+    const captions = text ? [...others, { measure, text }] : others;
+    this.show({ captions: captions.length > 0 ? captions : undefined });
   }
 
   /** Stops what is under way. @returns {AbortSignal}  of what comes next */

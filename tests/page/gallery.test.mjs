@@ -210,9 +210,14 @@ test("axe finds nothing in the gallery, nothing hangs over on a phone, and it ca
         await page.fill("#search", "edge_check");
         assert.deepEqual(await violations(page), [], view);
         await page.fill("#search", "");
-        for (const width of [320, 390, 820]) {
+        for (const width of [320, 390, 820, 1024]) {
           await page.setViewportSize({ width, height: 844 });
           assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${width} px`);
+          // Its panel is below the entries, which have all of the width.
+          const [column, panel] = await Promise.all(
+            [".stage-column", ".panel"].map((part) => page.locator(part).boundingBox()),
+          );
+          assert.ok(column && panel && panel.y >= column.y + column.height, `${width} px`);
         }
       }
       await page.setViewportSize(PHONE.viewport);

@@ -17,6 +17,7 @@ import {
   take,
 } from "./browser.mjs";
 import { inTurn, restage } from "./turns.mjs";
+import { allOf, readXml } from "./xml.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -120,6 +121,7 @@ for (const ratio of [1, 2]) {
         await click(page, "#step-100");
         await unfold(page, "export");
         const box = await page.locator("#stage").evaluate((stage) => stage.getBoundingClientRect().toJSON());
+        await page.uncheck("#export-words");
         for (const scale of ratio === 1 ? [1, 4] : [2]) {
           await page.selectOption("#export-scale", String(scale));
           const { name, bytes } = await take(page, "png");
@@ -234,7 +236,23 @@ test("what is taken away is what the stage shows", (t) =>
           const { bytes: svg, text } = await take(page, "svg");
           assert.ok(text.split("<path").length > 500, "its lines are paths");
           assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
-          assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
+          assert.doesNotMatch(text, /color-mix|oklab|image:\d|href="(?!data:image\/png)/);
+          // Below the figures is what was run, what came of it, and the legend.
+          const words = allOf(readXml(text), "text").map(({ children }) => children.join(""));
+          for (const part of [
+            "Two links among stones",
+            "PRM",
+            "seed 0",
+            "Path found",
+            "start",
+            "goal",
+            "roadmap",
+            "path",
+          ])
+            assert.ok(
+              words.some((line) => line.includes(part)),
+              `${part}: ${words.join(" | ")}`,
+            );
           // An image that is not well formed cannot be decoded.
           await decode(page, {
             png: { bytes: png.bytes, type: "image/png" },
@@ -250,6 +268,7 @@ test("what is taken away is what the stage shows", (t) =>
         "a moving picture has its frames and ends with what the stage shows, which stands still": async (page) => {
           await click(page, "#step-100");
           await unfold(page, "export");
+          await page.uncheck("#export-words");
           await page.selectOption("#export-scale", "1");
           const png = await take(page, "png");
           await page.selectOption("#export-frames", "24");

@@ -275,7 +275,10 @@ test("neighbours are measured, taken away and linked", (t) =>
         "picture, drawing and table hold what is shown": async (page) => {
           await page.click("#export-fold > summary");
           assert.equal((await download(page, "#export-png")).bytes.subarray(1, 4).toString(), "PNG");
-          assert.ok(allOf(readXml((await download(page, "#export-svg")).text), "path").length > 20);
+          const svg = readXml((await download(page, "#export-svg")).text);
+          assert.ok(allOf(svg, "path").length > 20);
+          const entry = (await page.locator(".legend li:visible").first().innerText()).trim();
+          assert.ok(allOf(svg, "text").some(({ children }) => children.join("") === entry));
           const state = await stateOf(page);
           const { indices, distances } = foundBy(state);
           const lines = (await download(page, "#export-csv")).text.trim().split("\r\n");

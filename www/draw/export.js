@@ -1,6 +1,7 @@
 /** Figures as one PNG, SVG or film: each at its place, with its caption. The figures themselves do not change. */
 import { SvgContext } from "../formats/svg.js";
 import { contextOf, even } from "./film.js";
+import { decoded } from "./picture.js";
 import { Sheet } from "./sheet.js";
 import { IMAGES, SvgLayer, svgFile } from "./svg-layer.js";
 
@@ -15,7 +16,10 @@ import { IMAGES, SvgLayer, svgFile } from "./svg-layer.js";
  * @typedef {{ drawing: Drawing, x: number, y: number, width: number, height: number, caption: Caption }} Place   of a
  *   copy of a figure's drawing
  */
-/** Lengths are CSS pixels. @typedef {{ width: number, height: number, look: SheetLook, places: Place[] }} Layout */
+/**
+ * @typedef {{ width: number, height: number, look: SheetLook, places: Place[], foot?: SVGSVGElement }} Layout   lengths
+ *   are CSS pixels; `foot`: below the figures of an image, which is as much higher
+ */
 /** @typedef {"png" | "svg"} ImageKind */
 /** Yields the progress, 0 to 1. @typedef {Generator<number, () => Promise<Blob>>} Slices */
 
@@ -112,7 +116,7 @@ function requireSize({ width, height }, ratio, advice) {
  * @throws {Error} `too-large`, `no-canvas`, and what `check` throws
  */
 export async function imageOf(kind, layout, { title, ratio, advice, check }, onProgress = () => true) {
-  requireSize(layout, ratio, advice);
+  requireSize({ ...layout, height: heightOf(layout) }, ratio, advice);
   const slices = kind === "png" ? pngOf(layout, ratio) : svgOf(layout, title);
   for (;;) {
     await new Promise((resolve) => setTimeout(resolve));
@@ -132,9 +136,15 @@ function fill(context, colour) {
   context.fillRect(0, 0, context.canvas.width, context.canvas.height);
 }
 
+/** With its foot. @param {Layout} layout */
+function heightOf({ height, foot }) {
+  return height + Number(foot?.getAttribute("height") ?? 0);
+}
+
 /** @param {Layout} layout @param {number} ratio @returns {Slices} */
 function* pngOf(layout, ratio) {
-  const context = contextOf(Math.round(layout.width * ratio), Math.round(layout.height * ratio));
+  const { width, height, foot } = layout;
+  const context = contextOf(Math.round(width * ratio), Math.round(heightOf(layout) * ratio));
   fill(context, layout.look.palette.stage);
   // One figure after the other: the layers of all at once take too much memory on some machines.
   for (const [i, place] of layout.places.entries()) {
@@ -142,12 +152,20 @@ function* pngOf(layout, ratio) {
     for (const _ of picture.draw()) yield i / layout.places.length;
     picture.compose(context);
   }
-  return () => context.canvas.convertToBlob({ type: "image/png" });
+  return async () => {
+    if (foot) {
+      const image = await decoded(new XMLSerializer().serializeToString(foot));
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      context.drawImage(image, 0, height, width, heightOf(layout) - height);
+    }
+    return context.canvas.convertToBlob({ type: "image/png" });
+  };
 }
 
 /** @param {Layout} layout @param {string} title @returns {Slices} */
 function* svgOf(layout, title) {
-  const { palette } = layout.look;
+  const { foot, height, look } = layout;
+  const { palette } = look;
   const picture = new Picture(
     layout,
     IMAGES,
@@ -155,7 +173,7 @@ function* svgOf(layout, title) {
       /** @type {Canvas} */ (/** @type {unknown} */ (new SvgLayer(Math.ceil(width), Math.ceil(height)))),
   );
   for (const _ of picture.draw()) yield 0.5;
-  const whole = new SvgContext(Math.round(layout.width), Math.round(layout.height));
+  const whole = new SvgContext(Math.round(layout.width), Math.round(heightOf(layout)));
   for (const { caption } of layout.places)
     writeCaption(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (whole)), caption, palette);
   return async () => {
@@ -166,6 +184,10 @@ function* svgOf(layout, title) {
         ),
       ),
     );
+    if (foot) {
+      foot.setAttribute("y", String(Math.round(height)));
+      elements.push(new XMLSerializer().serializeToString(foot));
+    }
     return svgFile(whole, elements, { background: palette.stage, title });
   };
 }

@@ -17,6 +17,14 @@ function copyOf(picture, ground, title) {
   return { text: new XMLSerializer().serializeToString(copy), width, height };
 }
 
+/** An image to be drawn at any size. @param {string} svg */
+export async function decoded(svg) {
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+  await image.decode();
+  return image;
+}
+
 /** @param {SVGSVGElement} picture @param {string} ground @param {string} title */
 export function svgPicture(picture, ground, title) {
   return new Blob([copyOf(picture, ground, title).text], { type: "image/svg+xml" });
@@ -31,9 +39,7 @@ export function svgPicture(picture, ground, title) {
  */
 export async function pngPicture(picture, ground, title, ratio) {
   const { text, width, height } = copyOf(picture, ground, title);
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
-  await image.decode();
+  const image = await decoded(text);
   const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
   canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
   return canvas.convertToBlob({ type: "image/png" });

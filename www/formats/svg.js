@@ -15,8 +15,11 @@ const ANCHOR = { left: "start", center: "middle", right: "end" };
 /** @param {number} value */
 const round = (value) => Math.round(value * 100) / 100 || 0;
 
-/** Text for XML; what XML cannot hold is left out. @param {string} text */
-const escaped = (text) => text.replace(/[^\t\n\r -\ufffd]/g, "").replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+/** Text without what XML cannot hold. @param {string} text */
+export const plainText = (text) => text.replace(/[^\t\n\r -\ufffd]/g, "").replace(/\p{Surrogate}/gu, "\ufffd");
+
+/** Text for XML. @param {string} text */
+const escaped = (text) => plainText(text).replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
 /**
  * The reference of an entry, which is added if it is new.

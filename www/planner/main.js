@@ -132,7 +132,10 @@ const isOpen = await app.open(
       notice,
       async () => new (await import("./lessons/lessons.js")).Lessons(page),
     ).inFold("lessons-fold");
-    new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
+    new LazyFeature(notice, async () => {
+      const [{ showExport }, { lineOf }] = await Promise.all([import("./export/export.js"), import("./print.js")]);
+      showExport(page, () => lineOf(page));
+    }).inFold("export-fold");
     const link = new LazyFeature(
       notice,
       async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), app.projector),

@@ -25,8 +25,8 @@ export function watchPrint(page) {
   addEventListener("afterprint", () => stage.style.removeProperty("color-scheme"));
 }
 
-/** @param {Page} page */
-function lineOf({ title, plans: lanes, planners, state }) {
+/** What was run. @param {Page} page */
+export function lineOf({ title, plans: lanes, planners, state }) {
   const plans = lanes.map(({ algorithm, settings }, lane) => {
     const name = lanes.length > 1 ? `${letter(lane)} ${planners.titleOf(algorithm)}` : planners.titleOf(algorithm);
     const values = [...FIRST]

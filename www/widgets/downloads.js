@@ -4,6 +4,7 @@ import { byId } from "../app/dom.js";
 import { imageOf, rowOf } from "../draw/export.js";
 import { downloadRow, failureOf } from "./download-row.js";
 import { filmRow } from "./films.js";
+import { ImageWords } from "./image-words.js";
 import { Progress } from "./progress.js";
 
 /** @import { App } from "../app/app.js" */
@@ -33,8 +34,13 @@ const SCALE = 2;
  * @param {Subject[]} [subjects]  of films
  */
 export function showDownloads(app, figures, names, others, subjects = []) {
+  const words = new ImageWords();
   const draw = (/** @type {ImageKind} */ kind) =>
-    imageOf(kind, rowOf(figures), { title: names.title(), ratio: SCALE, advice: "make the window smaller" });
+    imageOf(kind, words.addTo(rowOf(figures), names.title()), {
+      title: names.title(),
+      ratio: SCALE,
+      advice: "make the window smaller",
+    });
   showFiles(app, names.name, [
     {
       id: "png",
@@ -51,6 +57,7 @@ export function showDownloads(app, figures, names, others, subjects = []) {
       content: () => draw("svg"),
     },
   ]);
+  byId("export", HTMLElement).append(words.element);
   if (subjects.length > 0) {
     const progress = new Progress(() => reflect());
     const { element, reflect } = filmRow(app, progress, { subjects, name: names.name });

@@ -10,6 +10,7 @@ import { writeNpy } from "../../formats/npy.js";
 import { downloadRow, failureOf } from "../../widgets/download-row.js";
 import { row, select } from "../../widgets/elements.js";
 import { filmRow } from "../../widgets/films.js";
+import { ImageWords } from "../../widgets/image-words.js";
 import { Progress } from "../../widgets/progress.js";
 import { encodeLink } from "../link/codec.js";
 import { experimentOf } from "../link/experiment.js";
@@ -69,8 +70,8 @@ const FORMS = [
 const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "No planner has run." : "");
 const always = () => "";
 
-/** @param {Page} page */
-export function showExport(page) {
+/** @param {Page} page @param {() => string} head   what was run, above the legend of images */
+export function showExport(page, head) {
   const { session } = page;
   const host = byId("export", HTMLElement);
   /** @type {Offer[]} */
@@ -88,6 +89,7 @@ export function showExport(page) {
     ],
     "2",
   );
+  const words = new ImageWords();
   const lane = select("export-lane", "Planner", []);
   const form = select(
     "export-form",
@@ -101,6 +103,7 @@ export function showExport(page) {
   host.append(
     offer("png", "Image", "PNG", "The stage as shown.", always, () => draw("png"), scale),
     offer("svg", "Vector graphic", "SVG", "The stage as shown, sharp at any size.", always, () => draw("svg")),
+    words.element,
     films.element,
     offer("scenario", "Scenario", "JSON", "For this page, the package and the command line.", always, async () => {
       const { facts } = page;
@@ -230,7 +233,8 @@ export function showExport(page) {
       advice: "choose a smaller size",
       check: sameRun(session),
     };
-    await progress.save(`${name()}.${kind}`, (onProgress) => imageOf(kind, layoutOfStage(session), style, onProgress));
+    const layout = words.addTo(layoutOfStage(session), head());
+    await progress.save(`${name()}.${kind}`, (onProgress) => imageOf(kind, layout, style, onProgress));
   }
 }
 

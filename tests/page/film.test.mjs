@@ -114,6 +114,8 @@ test("a robot is filmed on its path, and a drive", (t) =>
         "from the start to the goal, as a GIF and as a WebM that plays; the stage stays as it is": async (page) => {
           await finish(page);
           await unfold(page, "export");
+          // A film has no words below its figures.
+          await page.uncheck("#export-words");
           await page.selectOption("#export-scale", "1");
           const pictures = [];
           for (const along of ["0", "1", "0.3"]) {
@@ -158,6 +160,7 @@ test("a robot is filmed on its path, and a drive", (t) =>
         "from the start to where the car is, and one control from there": async (page) => {
           await chooseScene(page, "parking");
           await unfold(page, "export");
+          await page.uncheck("#export-words");
           await page.selectOption("#export-scale", "1");
           await page.selectOption("#export-width", "480");
           await page.selectOption("#export-film", "drive");
@@ -205,6 +208,7 @@ test("an arm is filmed", (t) =>
           page,
         ) => {
           await unfold(page, "export");
+          await page.uncheck("#export-words");
           await page.selectOption("#export-width", "480");
           assert.equal(await page.inputValue("#export-film"), "between");
           await page.click("#mode-between");

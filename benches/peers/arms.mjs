@@ -12,8 +12,14 @@ const LIMIT = 0.1;
 /** Radians in the sum metric between two configurations that a peer checks on an edge of its trees. */
 const RESOLUTION = 0.05;
 
-/** The same for a body, in its metric, and a step of a tree that is shorter than the default of either side. */
-const BODY = { resolution: 0.01, range: 0.3 };
+/**
+ * The same for a body, in its metric, a step of a tree that is shorter than the default of OMPL, and the extent of its
+ * space: the distance between opposite corners of the world, turned by half a turn.
+ */
+const BODY = { resolution: 0.01, range: 0.3, extent: 0.7 * Math.hypot(2, 2) + 0.3 * Math.PI };
+
+/** OMPL's default step of a tree, as a part of the extent of the space. */
+const STEP = 0.2;
 
 /** Seconds after which a body or a car is given up. */
 const PLACED_LIMIT = 5;
@@ -71,22 +77,23 @@ function roadmaps({ links }) {
 }
 
 /**
- * Planarium with default options, which are OMPL's: steps of a fifth of the extent of the space.
+ * Planarium with steps of a fifth of the extent of the space, as OMPL's, and with its default, steps that adapt.
  * @param {Row} row
  * @returns {Arm[]}
  */
 function trees({ links }) {
   const extent = Math.PI * links;
-  const ours = (/** @type {SideName} */ side, /** @type {string} */ name) => ({
+  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
     name,
     side,
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}`,
+      `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}${more}`,
   });
+  const equal = ` step=${STEP * extent}`;
   const peer = (
     /** @type {SideName} */ side,
     /** @type {string} */ name,
-    range = 0.2 * extent,
+    range = STEP * extent,
     resolution = RESOLUTION,
     space = "flat",
   ) => ({
@@ -96,19 +103,21 @@ function trees({ links }) {
       `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT} ${space}`,
   });
   return [
-    ours("native", "native"),
-    ours("node", "Node"),
+    ours("native", "native", equal),
+    ours("native", "native, adapting"),
+    ours("node", "Node", equal),
+    ours("node", "Node, adapting"),
     peer("ompl", "OMPL"),
-    peer("ompl", "OMPL, plain", 0.2 * extent, RESOLUTION, "plain"),
-    peer("ompl", "OMPL, compound", 0.2 * extent, RESOLUTION, "compound"),
+    peer("ompl", "OMPL, plain", STEP * extent, RESOLUTION, "plain"),
+    peer("ompl", "OMPL, compound", STEP * extent, RESOLUTION, "compound"),
     peer("ompl", "OMPL, range 0.5", 0.5),
     // OMPL's default: a hundredth of the extent.
-    peer("ompl", "OMPL, coarse", 0.2 * extent, 0.01 * extent),
+    peer("ompl", "OMPL, coarse", STEP * extent, 0.01 * extent),
     peer("oxmpl", "OxMPL"),
   ];
 }
 
-/** All with a fifth of the extent, their default, and with steps of 0.3. @returns {Arm[]} */
+/** All with a fifth of the extent, OMPL's default, and with steps of 0.3; ours with its default, too. @returns {Arm[]} */
 function bodies() {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
     name,
@@ -116,6 +125,7 @@ function bodies() {
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
       `${world.json} rrt-connect ${seed} ${runs} ${PLACED_LIMIT}${more}`,
   });
+  const equal = ` step=${STEP * BODY.extent}`;
   const peer = (/** @type {string} */ name, range = 0, checker = "boxes") => ({
     name,
     side: /** @type {const} */ ("ompl"),
@@ -123,10 +133,12 @@ function bodies() {
       `${world.text} body ${seed} ${runs} ${range} ${BODY.resolution} ${PLACED_LIMIT} ${checker}`,
   });
   return [
-    ours("native", "native"),
+    ours("native", "native", equal),
     ours("native", "native, short steps", ` step=${BODY.range}`),
-    ours("node", "Node"),
+    ours("native", "native, adapting"),
+    ours("node", "Node", equal),
     ours("node", "Node, short steps", ` step=${BODY.range}`),
+    ours("node", "Node, adapting"),
     peer("OMPL"),
     peer("OMPL, plain", 0, "plain"),
     peer("OMPL, short steps", BODY.range),
@@ -181,7 +193,8 @@ export function lines({ planner, links }) {
   if (planner === "prm") return [line(", equal motions", ", equal motions"), line(", batch", ", batch")];
   if (planner === "sst") return [line(), line(", OMPL's controls held for up to 0.5 s", "", ", short controls")];
   if (planner === "rrt-control") return [line(), line(", the reports' controls", ", the reports'")];
-  return links > 0 ? [line()] : [line(), line(", steps of 0.3", ", short steps", ", short steps")];
+  const adapting = line(", steps that adapt", ", adapting");
+  return links > 0 ? [line(), adapting] : [line(), line(", steps of 0.3", ", short steps", ", short steps"), adapting];
 }
 
 /**
@@ -201,6 +214,7 @@ const further = {
     ["OMPL, range 0.5", "native"],
     ["OMPL, coarse", "native"],
     ["OxMPL", "native"],
+    ["native, adapting", "native"],
     ["Node", "native"],
   ],
   "rrt-control": [

@@ -16,6 +16,8 @@ const ABOVE = 12;
 const EDGE = 12;
 const FONT = 12;
 const LARGE = 17;
+/** How much wider the title's letters are, as they are bold. */
+const BOLD = 1.15;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
 
@@ -197,7 +199,7 @@ export function captioned(picture, { title, caption, palette }) {
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
   const letters = (width - 2 * EDGE) / LETTER;
   const lines = linesOf(caption, Math.floor(letters));
-  const titles = linesOf(title, Math.floor((letters * FONT) / LARGE));
+  const titles = linesOf(title, Math.floor((letters * FONT) / (BOLD * LARGE)));
   const head = titles.length > 0 ? ABOVE + HEAD * titles.length : 0;
   const whole = height + head + (lines.length > 0 ? LINE * (lines.length + 1) : 0);
   const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));

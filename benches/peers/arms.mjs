@@ -33,6 +33,21 @@ const HELD = { fixed: [250, 250], drawn: [1, 250], short: [1, 50] };
 const K = 30;
 
 /**
+ * Makes the arms of Planarium.
+ * @param {Row["planner"]} planner
+ * @param {number} limit  seconds after which a query is given up
+ * @param {string} [options]  of all of them
+ * @returns {(side: SideName, name: string, more?: string) => Arm}  `more`: further options
+ */
+function planarium(planner, limit, options = "") {
+  return (side, name, more = "") => ({
+    name,
+    side,
+    job: (world, seed, runs) => `${world.json} ${planner} ${seed} ${runs} ${limit}${options}${more}`,
+  });
+}
+
+/**
  * The arms of a row.
  * @param {Row} row
  * @returns {Arm[]}
@@ -50,12 +65,7 @@ export function arms(row) {
  */
 function roadmaps({ links }) {
   const n = samples(links);
-  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name,
-    side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.json} prm ${seed} ${runs} 60 samples=${n} k=${K}${more}`,
-  });
+  const ours = planarium("prm", 60, ` samples=${n} k=${K}`);
   const peer = (/** @type {SideName} */ side, /** @type {string} */ name, space = "flat") => ({
     name,
     side,
@@ -83,12 +93,7 @@ function roadmaps({ links }) {
  */
 function trees({ links }) {
   const extent = Math.PI * links;
-  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name,
-    side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}${more}`,
-  });
+  const ours = planarium("rrt-connect", LIMIT);
   const equal = ` step=${STEP * extent}`;
   const peer = (
     /** @type {SideName} */ side,
@@ -119,12 +124,7 @@ function trees({ links }) {
 
 /** All with a fifth of the extent, OMPL's default, and with steps of 0.3; ours with its default, too. @returns {Arm[]} */
 function bodies() {
-  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name,
-    side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.json} rrt-connect ${seed} ${runs} ${PLACED_LIMIT}${more}`,
-  });
+  const ours = planarium("rrt-connect", PLACED_LIMIT);
   const equal = ` step=${STEP * BODY.extent}`;
   const peer = (/** @type {string} */ name, range = 0, checker = "boxes") => ({
     name,
@@ -152,12 +152,7 @@ function bodies() {
  * @returns {Arm[]}
  */
 function cars(planner) {
-  const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name,
-    side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.json} ${planner} ${seed} ${runs} ${PLACED_LIMIT}${more}`,
-  });
+  const ours = planarium(planner, PLACED_LIMIT);
   const peer = (/** @type {string} */ name, /** @type {number[]} */ [least, most], checker = "boxes") => ({
     name,
     side: /** @type {const} */ ("ompl"),

@@ -6,14 +6,25 @@ import { byId } from "./dom.js";
 
 const KEY = "planarium-theme";
 
+const DARK = "(prefers-color-scheme: dark)";
+
+/** The theme that a document is shown in. @param {Document} shown */
+export function themeOf({ documentElement, defaultView }) {
+  return documentElement.dataset.theme ?? (defaultView?.matchMedia(DARK).matches ? "dark" : "light");
+}
+
+/** Gives a page in a frame a theme. @param {Document} inside @param {string} theme */
+export function dress(inside, theme) {
+  if (themeOf(inside) !== theme) inside.getElementById("theme")?.click();
+}
+
 /** @param {() => void} onChange */
 export function watchTheme(onChange) {
-  const dark = matchMedia("(prefers-color-scheme: dark)");
   const root = document.documentElement;
   const stored = storage();
   if (stored === "light" || stored === "dark") root.dataset.theme = stored;
   const button = byId("theme", HTMLButtonElement);
-  const other = () => ((root.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
+  const other = () => (themeOf(document) === "dark" ? "light" : "dark");
   const name = () => {
     button.ariaLabel = `Switch to ${other()} colours`;
   };
@@ -26,7 +37,7 @@ export function watchTheme(onChange) {
     storage(root.dataset.theme);
     update();
   });
-  dark.addEventListener("change", update);
+  matchMedia(DARK).addEventListener("change", update);
   name();
 }
 

@@ -3,14 +3,14 @@
  * Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
  * Escape there all keys belong to the slides again. The fragment is the number of the slide. The pages of the slides
  * before stay as they were, so that one can go back to a run. On paper each question has a code that opens its page,
- * and the answers are on a sheet of their own.
+ * and the answers are on a separate sheet.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).
  */
 import { byId, make } from "../app/dom.js";
 import { qrCode } from "../app/qr-code.js";
-import { watchTheme } from "../app/theme.js";
+import { dress, themeOf, watchTheme } from "../app/theme.js";
 
 const deck = byId("deck", HTMLElement);
 const slides = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".slide")]);
@@ -57,10 +57,8 @@ function leave(frame) {
 }
 
 /** Gives a page the theme of the slides. @param {HTMLIFrameElement} frame */
-function dress({ contentDocument: inside }) {
-  const themeOf = (/** @type {Document} */ { documentElement }) =>
-    documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
-  if (inside && themeOf(inside) !== themeOf(document)) inside.getElementById("theme")?.click();
+function follow({ contentDocument: inside }) {
+  if (inside) dress(inside, themeOf(document));
 }
 
 function showSettled() {
@@ -76,7 +74,7 @@ function load() {
       if (event.key.startsWith("Page") && !event.defaultPrevented) turnBy(event);
     });
     frame.dataset.loaded = "true";
-    dress(frame);
+    follow(frame);
     showSettled();
   });
   frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
@@ -127,7 +125,7 @@ function prepareSheets() {
 
 const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);
 
-watchTheme(() => frames.forEach(dress));
+watchTheme(() => frames.forEach(follow));
 answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true"));
 previous.addEventListener("click", () => turnTo(at - 1));
 next.addEventListener("click", () => turnTo(at + 1));

@@ -1,6 +1,7 @@
 /** Lines for the printed page: the scene, the planners with their settings, the time shown, and the link. */
 import { byId, grouped, make } from "../app/dom.js";
 import { printLink } from "../app/printed-link.js";
+import { themeOf } from "../app/theme.js";
 import { encodeLink } from "./link/codec.js";
 import { experimentOf } from "./link/experiment.js";
 import { letter } from "./race/standings.js";
@@ -17,10 +18,7 @@ export function watchPrint(page) {
   addEventListener("beforeprint", () => {
     line.textContent = lineOf(page);
     // The printed page is light, but the canvases stay as they were drawn.
-    const {
-      dataset: { theme },
-    } = document.documentElement;
-    stage.style.colorScheme = theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    stage.style.colorScheme = themeOf(document);
   });
   addEventListener("afterprint", () => stage.style.removeProperty("color-scheme"));
 }

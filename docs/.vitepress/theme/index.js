@@ -3,6 +3,7 @@ import DefaultTheme from "vitepress/theme-without-fonts";
 import { useData, withBase } from "vitepress";
 import { defineComponent, h, ref, watch } from "vue";
 import { qrCode } from "../../../www/app/qr-code.js";
+import { dress } from "../../../www/app/theme.js";
 import "./style.css";
 
 /** A picture of a run, which the planner's page in a frame replaces once it is asked for. */
@@ -25,14 +26,11 @@ const LiveStage = defineComponent({
       addEventListener("message", play);
     }
     /** The frame follows the theme of this page. */
-    function dress() {
-      const { document: inside, matchMedia } = frame.value?.contentWindow ?? {};
-      if (!inside || !matchMedia) return;
-      const theme =
-        inside.documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
-      if ((theme === "dark") !== isDark.value) inside.getElementById("theme")?.click();
+    function follow() {
+      const inside = frame.value?.contentDocument;
+      if (inside) dress(inside, isDark.value ? "dark" : "light");
     }
-    watch(isDark, dress);
+    watch(isDark, follow);
 
     return () =>
       h("figure", { class: "stage" }, [
@@ -41,7 +39,7 @@ const LiveStage = defineComponent({
               ref: frame,
               src: `${page}?embed=1${address}`,
               title,
-              onLoad: dress,
+              onLoad: follow,
               onVnodeUnmounted: () => removeEventListener("message", play),
             })
           : h("button", { type: "button", class: "poster", "aria-label": `Run ${title}`, onClick: start }, [

@@ -89,10 +89,18 @@ play.addEventListener("click", () => {
 play.disabled = false;
 document.body.dataset.settled = "true";
 
-/** After the first paint. */
-requestAnimationFrame(() =>
-  setTimeout(() => {
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) void start();
-    if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
-  }),
-);
+function begin() {
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) void start();
+  if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
+}
+
+/** The first paint is reported after it; the task after the first frame may be before it on a busy machine. */
+if (PerformanceObserver.supportedEntryTypes.includes("paint")) {
+  new PerformanceObserver((list, observer) => {
+    if (!list.getEntriesByName("first-contentful-paint").length) return;
+    observer.disconnect();
+    begin();
+  }).observe({ type: "paint", buffered: true });
+} else {
+  requestAnimationFrame(() => setTimeout(begin));
+}

@@ -338,12 +338,15 @@ for (const { name, link: title } of PAGES) {
             assert.equal(await page.isVisible("#stage"), true);
             assert.equal(await overhang(page), 0);
             for (const [width, height] of [
+              [1280, 600],
               [960, 540],
               [640, 480],
             ]) {
               await page.setViewportSize({ width, height });
               if (side > 0) await assertFills(page, `frame of ${width}`);
               assert.equal(await overhang(page), 0);
+              const legend = page.locator(".stage-column > .legend");
+              if (await legend.count()) assert.equal(await legend.isVisible(), width > 960, "where there is room");
             }
             // The heading is the parent's to give.
             const found = await violations(page);

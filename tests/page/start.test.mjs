@@ -162,9 +162,9 @@ test("each slide of the class has its question, its answer on demand, and its pa
       await page.waitForSelector(`#deck[data-slide="${count - 1}"]`);
       assert.equal(new URL(page.url()).hash, `#${count - 1}`);
       // Space plays; a remote control also turns the slides after a click into the live page.
-      const live = (await (await page.waitForSelector("iframe:not(.past)")).contentFrame()) ?? assert.fail();
-      await live.waitForSelector("#play:enabled");
+      // It may be pressed before the page can play.
       await page.keyboard.press(" ");
+      const live = (await (await page.waitForSelector("iframe:not(.past)")).contentFrame()) ?? assert.fail();
       await live.waitForSelector("#counters:not([data-iterations='0'])", { state: "attached" });
       await live.click("#play");
       await page.keyboard.press("PageUp");
@@ -192,6 +192,13 @@ test("each slide of the class has its question, its answer on demand, and its pa
           assert.equal(await printedCode(page, page.locator(".slide svg").nth(i)), url + address);
       await page.emulateMedia({ media: "screen" });
       assert.equal(await page.locator(".slide svg:visible, #answers:visible").count(), 0);
+      for (const [key, slide] of /** @type {const} */ ([
+        ["Home", 1],
+        ["End", count],
+      ])) {
+        await page.keyboard.press(key);
+        await page.waitForSelector(`#deck[data-slide="${slide}"]`);
+      }
     },
     { path: "class.html" },
   ));

@@ -76,6 +76,8 @@ test("worlds of other programs", (t) =>
           assert.ok((await pixelsOf(page, "workspace", "ground", "obstacle-edge")) > 500, "its cells are drawn");
           assert.ok(await page.isVisible("#legend-map"));
           assert.ok(await page.isVisible("#legend-unknown"));
+          assert.ok(await page.isHidden("#legend-obstacle"));
+          assert.ok(await page.isVisible("#legend-robot"), "on its path");
           const { world, queries, robot } = await saved(page);
           assert.deepEqual(world.bounds, { min: [-1, -2], max: [-1 + 48 * 0.1, 1] });
           assert.equal(queries.length, 1);
@@ -175,7 +177,8 @@ test("worlds of other programs", (t) =>
           await page.click("#world-undo");
           await page.waitForSelector("body[data-scene=stones]");
           assert.equal(await page.inputValue("#planner"), "prm");
-          assert.ok(await page.isHidden("#legend-map"));
+          await page.waitForSelector("#legend-map", { state: "hidden" });
+          await page.waitForSelector("#legend-obstacle");
           await page.click("#world-undo");
           await page.waitForSelector("body[data-scene=file]");
           await atRest(page);

@@ -1,6 +1,6 @@
 /**
- * The slides of a class: one question and one live page each. The arrow keys turn the slides, A shows the answer and
- * Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
+ * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to
+ * the first and the last, A shows the answer and Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
  * Escape there all keys belong to the slides again. The fragment is the number of the slide. The pages of the slides
  * before stay as they were, so that one can go back to a run. On paper each question has a code that opens its page,
  * and the answers are on a separate sheet.
@@ -53,6 +53,7 @@ function leave(frame) {
   // The page of experiments takes no messages.
   if (inside?.body.dataset.phase === "running") inside.getElementById("run")?.click();
   if (document.activeElement === frame) deck.focus({ preventScroll: true });
+  frame.dataset.awaited = "false";
   frame.classList.add("past");
 }
 
@@ -73,8 +74,11 @@ function load() {
     frame.contentWindow?.addEventListener("keydown", (event) => {
       if (event.key.startsWith("Page") && !event.defaultPrevented) turnBy(event);
     });
+    const inside = /** @type {Document} */ (frame.contentDocument);
+    new MutationObserver(() => begin(frame)).observe(inside, { subtree: true, attributeFilter: ["disabled"] });
     frame.dataset.loaded = "true";
     follow(frame);
+    begin(frame);
     showSettled();
   });
   frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
@@ -103,12 +107,29 @@ function turnTo(index) {
 function turnBy({ key }) {
   if (key === "ArrowRight" || key === "PageDown") turnTo(at + 1);
   else if (key === "ArrowLeft" || key === "PageUp") turnTo(at - 1);
+  else if (key === "Home") turnTo(0);
+  else if (key === "End") turnTo(slides.length - 1);
 }
 
-/** Plays or pauses the live page. */
-function play() {
-  const inside = frames.get(at)?.contentDocument;
-  /** @type {HTMLButtonElement | null | undefined} */ (inside?.querySelector("#play, #run"))?.click();
+/** The button that plays a page, once it can be pressed. @param {HTMLIFrameElement} frame */
+function playOf({ contentDocument: inside }) {
+  return /** @type {HTMLButtonElement | null | undefined} */ (inside?.querySelector(":is(#play, #run):enabled"));
+}
+
+/** Plays or pauses a live page; one that cannot play yet will, unless it is asked again. @param {HTMLIFrameElement} frame */
+function toggle(frame) {
+  const play = playOf(frame);
+  if (play) play.click();
+  else frame.dataset.awaited = String(frame.dataset.awaited !== "true");
+}
+
+/** Plays a page that was to play before it could; some have begun by themselves. @param {HTMLIFrameElement} frame */
+function begin(frame) {
+  const play = playOf(frame);
+  if (frame.dataset.awaited !== "true" || !play) return;
+  frame.dataset.awaited = "false";
+  const isPlaying = play.dataset.playing === "true" || frame.contentDocument?.body.dataset.phase === "running";
+  if (!isPlaying) play.click();
 }
 
 /** The codes of all pages and the sheet of the answers: they are made with the first print. */
@@ -139,7 +160,7 @@ addEventListener("keydown", (event) => {
   if (key === "a" || key === "A") answer.click();
   else if (key === " " && !(target instanceof HTMLButtonElement)) {
     event.preventDefault();
-    play();
+    toggle(/** @type {HTMLIFrameElement} */ (frames.get(at)));
   } else turnBy(event);
 });
 addEventListener("beforeprint", prepareSheets);

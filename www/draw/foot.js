@@ -5,6 +5,7 @@ import { bytesOf } from "./mask.js";
 
 /** @import { Palette } from "../app/palette.js" */
 
+const FAMILY = "system-ui, sans-serif";
 /** CSS pixels: the letters, a line, the room around, between entries, and between a sign and its words. */
 const FONT = 13;
 const LINE = 20;
@@ -18,7 +19,6 @@ const GAP = 6;
  * @returns {SVGSVGElement}
  */
 export function footOf(width, { head, sentence, legend, palette }) {
-  const ruler = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
   /** @type {SVGElement[]} */
   const elements = [];
   let x = SPACE;
@@ -43,13 +43,12 @@ export function footOf(width, { head, sentence, legend, palette }) {
     [head, palette.ink, 600],
     [sentence, palette.quiet, 400],
   ])) {
-    ruler.font = `${weight} ${FONT}px system-ui, sans-serif`;
-    for (const words of linesOf(text, width - 2 * SPACE, ruler)) {
+    for (const words of linesOf(text, width - 2 * SPACE, rulerOf(FONT, weight))) {
       write(words, SPACE, { fill, "font-weight": weight });
       nextLine();
     }
   }
-  ruler.font = `${FONT}px system-ui, sans-serif`;
+  const ruler = rulerOf(FONT);
   const isShown = (/** @type {Node} */ node) => !(node instanceof Element) || node.checkVisibility();
   for (const entry of [...legend.children].filter(isShown)) {
     const signs = [...entry.getElementsByTagName("svg")].filter(isShown);
@@ -73,10 +72,17 @@ export function footOf(width, { head, sentence, legend, palette }) {
       width,
       height: LINE * (x > SPACE ? line + 1 : line) + SPACE,
       "font-size": FONT,
-      "font-family": "system-ui, sans-serif",
+      "font-family": FAMILY,
     },
     ...elements,
   );
+}
+
+/** What measures texts. @param {number} size  CSS pixels @param {number} [weight] */
+export function rulerOf(size, weight = 400) {
+  const ruler = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
+  ruler.font = `${weight} ${size}px ${FAMILY}`;
+  return ruler;
 }
 
 /**
@@ -86,7 +92,7 @@ export function footOf(width, { head, sentence, legend, palette }) {
  * @param {number} width
  * @param {OffscreenCanvasRenderingContext2D} ruler
  */
-function linesOf(text, width, ruler) {
+export function linesOf(text, width, ruler) {
   const isLonger = (/** @type {string} */ words) => ruler.measureText(words).width > width;
   /** @type {string[]} */
   const lines = [];

@@ -2,6 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import { makeSvg as element } from "../app/dom.js";
 import { SERIES } from "../app/palette.js";
+import { linesOf, rulerOf } from "../draw/foot.js";
 import { countsOf } from "./charts.js";
 import { LETTER, SIDES } from "./charts/parts.js";
 
@@ -16,8 +17,6 @@ const ABOVE = 12;
 const EDGE = 12;
 const FONT = 12;
 const LARGE = 17;
-/** How much wider the title's letters are, as they are bold. */
-const BOLD = 1.15;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
 
@@ -197,9 +196,8 @@ function legendElement({ entries }, palette, { kind }) {
  */
 export function captioned(picture, { title, caption, palette }) {
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
-  const letters = (width - 2 * EDGE) / LETTER;
-  const lines = linesOf(caption, Math.floor(letters));
-  const titles = linesOf(title, Math.floor((letters * FONT) / (BOLD * LARGE)));
+  const lines = linesOf(caption, width - 2 * EDGE, rulerOf(FONT));
+  const titles = linesOf(title, width - 2 * EDGE, rulerOf(LARGE, 600));
   const head = titles.length > 0 ? ABOVE + HEAD * titles.length : 0;
   const whole = height + head + (lines.length > 0 ? LINE * (lines.length + 1) : 0);
   const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
@@ -215,16 +213,4 @@ export function captioned(picture, { title, caption, palette }) {
   );
   frame.style.color = palette.ink;
   return frame;
-}
-
-/** A text in lines of some letters at most. @param {string} text @param {number} letters */
-function linesOf(text, letters) {
-  return text.split(/\s+/).reduce((/** @type {string[]} */ lines, word) => {
-    const longer = lines.length > 0 ? `${lines[lines.length - 1]} ${word}` : word;
-    return lines.length > 0 && longer.length <= letters
-      ? [...lines.slice(0, -1), longer]
-      : word
-        ? [...lines, word]
-        : lines;
-  }, []);
 }

@@ -20,7 +20,13 @@ export function sentenceOf({ phase, info, rows, document: { title, worlds, plann
   const begin = about(":");
   if (phase === "refused" || phase === "failed")
     return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
-  if (!info) return `${begin}Checking the experiment\u2026`;
+  if (!info) {
+    const isDrawn = worlds.some((world) =>
+      isEnsured("set" in world ? world.set : {}, "vary" in world ? world.vary : {}),
+    );
+    const draws = isDrawn ? " Worlds are drawn until each is known to have a path, or none." : "";
+    return `${begin}Checking the experiment\u2026${draws}`;
+  }
   if (rows.done === 0 && phase === "ready")
     return `${begin}${grouped(info.trialCount)} trials of ${counted(planners.length, "planner")} in ${counted(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
   if (phase !== "done")
@@ -46,6 +52,11 @@ export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
   ].filter(Boolean);
   const product = Number.isInteger(inEach) && factors.length > 1 ? ` (${factors.join(" x ")})` : "";
   return `${list(algorithms, "planner")}; ${list(names, "world")}; ${counted(rows.count, "trial")}${product}.`;
+}
+
+/** Whether some of its worlds must have a path, or none. @param {object | undefined} set @param {object | undefined} vary */
+function isEnsured(set = {}, vary = {}) {
+  return ("ensure" in set && set.ensure !== "any") || "ensure" in vary;
 }
 
 /** Options that do not vary. @param {Record<string, unknown> | undefined} set */

@@ -6,7 +6,11 @@ import { byId, write } from "../app/dom.js";
 /** @import { State } from "./state.js" */
 
 /** @param {Page} page @param {State} state */
-export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad, certificate }) {
+export function showLegend(
+  { calm, session: { shown } },
+  { lanes, view, growing, playing, clock, hover, touching, isBad, certificate, pose },
+) {
+  const map = shown?.world?.map;
   const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
   const waits = growing && !playing && clock.now > 0;
   const flashes = growing && !calm;
@@ -16,6 +20,10 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   const samples = some(({ hasRejected }) => hasRejected);
   const motions = some(({ hasRefused }) => hasRefused);
   const seen = {
+    robot: pose !== null,
+    obstacle: !map && shown !== null && shown.document.world.obstacles.length > 0,
+    map: Boolean(map),
+    unknown: Boolean(map?.hasUnknown),
     guard: some(({ hasGuards }) => hasGuards),
     newest: flashes || waits,
     waiting: some(({ waiting }) => waiting > 0),

@@ -86,11 +86,9 @@ async function use(page, opened) {
   await open(page, { document, query, lanes, pace }, opened, grid);
 }
 
-/** Shows the line and the legend. @param {Page} page */
+/** Shows the line. @param {Page} page */
 function show(page) {
   const { world } = page.session.shown ?? {};
-  byId("legend-map", HTMLElement).hidden = !world?.map;
-  byId("legend-unknown", HTMLElement).hidden = !world?.map?.hasUnknown;
   line.hidden = !world;
   if (!world) return;
   const { opened, before } = world;

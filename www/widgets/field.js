@@ -6,6 +6,9 @@ import { make } from "../app/dom.js";
 /** Milliseconds after the last keystroke at which a typed value counts. */
 const TYPING = 900;
 
+/** A text whose names of options are between backticks. @param {string} text @returns {(string | HTMLElement)[]} */
+const marked = (text) => text.split("`").map((part, i) => (i % 2 ? make("code", {}, part) : part));
+
 export class Field {
   /**
    * @param {ParameterInfo} info
@@ -20,7 +23,7 @@ export class Field {
     const id = `${family}-${info.name}`;
     this.control = control(info, value, id);
     this.reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true });
-    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, info.meaning);
+    const meaning = make("p", { className: "hint", id: `${id}-meaning` }, ...marked(info.meaning));
     this.automatic = make("span", {}, automatic(info));
     meaning.append(this.automatic);
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);

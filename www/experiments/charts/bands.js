@@ -31,7 +31,7 @@ export function bands(plot, chart, { width, styleOf }, isFromZero) {
         : countMarks(plot, chart, summaries, {
             ...at,
             frameAnchor: "top",
-            dy: -7,
+            dy: -12,
             fill: (/** @type {{ series: string }} */ one) => styleOf(one.series).colour,
           }),
     options: isFaceted

@@ -142,11 +142,10 @@ const linkedFiles = new Map();
  */
 function linkInSite(link, file) {
   if (/^(\w+:|#|\/)/.test(link)) return link;
-  const [path, anchor] = link.split("#");
+  const [, path, rest] = /** @type {RegExpExecArray} */ (/^([^?#]*)(.*)$/.exec(link));
   const target = posix.normalize(posix.join(posix.dirname(file), path));
-  if (/^www\/[\w-]+\.html$/.test(target))
-    return `/../${target.slice("www/".length)}${anchor === undefined ? "" : `#${anchor}`}`;
-  if (target.endsWith(".md")) return `${addressOf(target)}${anchor === undefined ? "" : `#${anchor}`}`;
+  if (/^www\/[\w-]+\.html$/.test(target)) return `/../${target.slice("www/".length)}${rest}`;
+  if (target.endsWith(".md")) return `${addressOf(target)}${rest}`;
   if (statSync(join(root, target)).isDirectory()) return null;
   linkedFiles.set(target, `files/${/\.(html|json|txt)$/.test(target) ? target : `${target}.txt`}`);
   return `/${linkedFiles.get(target)}`;

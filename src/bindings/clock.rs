@@ -51,9 +51,10 @@ impl<R: Stepped> Timed<R> {
         self.run.failure().map_or(Ok(()), |error| Err(self.thrown.or(error)))
     }
 
-    /// Seconds spent building and searching.
+    /// Seconds spent building and searching, in whole nanoseconds: browsers tell fractions of these that differ between equal
+    /// times.
     pub fn seconds(&self) -> [f64; 2] {
-        self.spent.map(|milliseconds| milliseconds / 1000.0)
+        self.spent.map(|milliseconds| libm::rint(milliseconds * 1e6) / 1e9)
     }
 }
 

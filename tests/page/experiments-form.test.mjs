@@ -177,9 +177,15 @@ test("an experiment is made, refused and edited", (t) =>
             [{ planners: [{ algorithm: "prm", vary: { k: [3, 0] } }] }, "out-of-range", "/planners/0/vary/k/1"],
             [{ planners: [{ algorithm: "sst" }] }, "unsupported", "/planners/0/algorithm"],
             [{ worlds: [{ scene: "nowhere" }] }, "unknown-scene", "/worlds/0/scene"],
+            [{ planners: [{ algorithm: "prm", vary: { k: [3, 3] } }] }, "out-of-range", "/planners/0/vary/k/1"],
             [{ worlds: 3 }, "wrong-type", "/worlds"],
+            [{ worlds: null }, "wrong-type", "/worlds"],
+            [{ worlds: [null] }, "wrong-type", "/worlds/0"],
+            [{ planners: null }, "wrong-type", "/planners"],
+            [{ title: 3 }, "wrong-type", "/title"],
+            [null, "wrong-type", ""],
           ])) {
-            await pickFile(page, "bad.json", JSON.stringify({ ...small, ...change }));
+            await pickFile(page, "bad.json", JSON.stringify(change && { ...small, ...change }));
             await page.waitForSelector(`body[data-phase=refused][data-settled=true] #notice[data-code=${code}]`);
             assert.equal(await page.getAttribute("#notice", "data-pointer"), pointer);
             assert.equal(await page.isDisabled("#run"), true);

@@ -292,6 +292,19 @@ test("an experiment that was run", (t) =>
 
         "a print has the chart, its table and the sentences, and no controls": async (page) => {
           await done(page);
+          // A browser counts the pages before it changes the media.
+          for (const [event, isOpen] of /** @type {const} */ ([
+            ["beforeprint", true],
+            ["afterprint", false],
+          ])) {
+            await page.evaluate((name) => void dispatchEvent(new Event(name)), event);
+            for (const fold of ["#table-fold", "#words-fold"])
+              assert.equal(
+                await page.locator(fold).evaluate((one) => /** @type {HTMLDetailsElement} */ (one).open),
+                isOpen || fold === "#words-fold",
+              );
+            if (isOpen) assert.ok((await page.locator("#table tbody tr").count()) > 0);
+          }
           await page.emulateMedia({ media: "print", colorScheme: "dark" });
           await page.waitForSelector("#table tbody tr");
           for (const shown of ["#story", ".plot", "#remark", "#table table", "#words li"])

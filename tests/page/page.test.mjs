@@ -107,7 +107,7 @@ test("a run and its settings", (t) =>
             assert.equal(shown.status, id === "locked" ? "exhausted" : "solved", id);
             assert.match(
               await page.innerText("#story"),
-              shown.status === "solved" ? /^Path found/ : /^No path\. With k = 9 the roadmap has /,
+              shown.status === "solved" ? /^Path found/ : /^This roadmap has no path: with k = 9 it has /,
             );
             assert.equal(await page.isVisible("#notice"), false);
             assert.equal(await page.isVisible("#cspace"), scenario.robot !== "disc");

@@ -193,13 +193,13 @@ test("what the table of a race says, and its transport", (t) =>
             // The shortest path is computed beside the run.
             await textMatches(page, "#standings", /gap[^]*gap/);
             const [a, b] = await table(page);
-            assert.match(a.cost, /^8\.93 rad \(gap \d\.\d %, shortest\)$/);
+            assert.match(a.cost, /^8\.93 rad \(gap \d\.\d %, shortest here\)$/);
             assert.match(b.cost, /^10\.02 rad \(gap \d+ %\)$/);
             assert.equal(
               await page.innerText("#story"),
-              "B found a path first, after 492 clearance evaluations; A has the shortest, 8.93 rad.",
+              "B found a path first, after 492 clearance evaluations; A has the shortest here, 8.93 rad.",
             );
-            await textMatches(page, "#announcer", /A has the shortest, 8\.93 rad\.$/);
+            await textMatches(page, "#announcer", /A has the shortest here, 8\.93 rad\.$/);
             assert.match(
               await page.innerText("#standings"),
               /This is one seed: over many seeds the winner may differ\./,

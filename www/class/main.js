@@ -51,7 +51,7 @@ function leave(frame) {
   frame.contentWindow?.postMessage({ planarium: "pause" }, "*");
   const inside = frame.contentDocument;
   // The page of experiments takes no messages.
-  if (inside?.body.dataset.phase === "running") inside.getElementById("run")?.click();
+  if (inside?.body?.dataset.phase === "running") inside.getElementById("run")?.click();
   if (document.activeElement === frame) deck.focus({ preventScroll: true });
   frame.dataset.awaited = "false";
   frame.classList.add("past");
@@ -128,7 +128,7 @@ function begin(frame) {
   const play = playOf(frame);
   if (frame.dataset.awaited !== "true" || !play) return;
   frame.dataset.awaited = "false";
-  const isPlaying = play.dataset.playing === "true" || frame.contentDocument?.body.dataset.phase === "running";
+  const isPlaying = play.dataset.playing === "true" || frame.contentDocument?.body?.dataset.phase === "running";
   if (!isPlaying) play.click();
 }
 

@@ -3,7 +3,7 @@
 /** @import { ExperimentAxis, ExperimentSeeds } from "planarium/full" */
 
 const NUMBER = "(-?[\\d.]+(?:e-?\\d+)?)";
-const SPAN = new RegExp(`^${NUMBER} to ${NUMBER} by ${NUMBER}$`);
+const SPAN = new RegExp(`^${NUMBER} to ${NUMBER}(?: by ${NUMBER})?$`);
 const RANGE = /^(\d+) to (\d+)$/;
 
 /** @param {ExperimentAxis} axis */
@@ -13,7 +13,7 @@ export function axisText(axis) {
 
 /** @param {string} text @returns {ExperimentAxis}  the core checks its values */
 export function axisOf(text) {
-  const [, from, to, step] = SPAN.exec(text.trim()) ?? [];
+  const [, from, to, step = 1] = SPAN.exec(text.trim()) ?? [];
   if (from !== undefined) return { from: Number(from), to: Number(to), step: Number(step) };
   return text
     .split(",")

@@ -62,6 +62,7 @@ export function ceilingOf(tasks, verdicts) {
     if (none) return { most, words: "The world is proven to have no path." };
     return { most, words: open ? "The world has a path." : `Whether the world has a path is unknown${why}.` };
   }
+  if (none === tasks.length) return { most, words: `All ${all} are proven to have no path.` };
   if (none + unknown === 0) return { most, words: `All ${all} have a path.` };
   const parts = [
     ...(open > 0 ? [`${open} ${open === 1 ? "has" : "have"} a path`] : []),

@@ -50,7 +50,7 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
             ranked.length === 0 ? noneOf(rows, title, which) : isPooled ? extremes(ranked, groups, what) : UNITS,
             "Trials in different worlds cannot be paired, so nothing is tested.",
           ]
-        : ["A comparison needs trials of two settings."];
+        : [`A comparison needs trials of two settings${rows.done < rows.count ? " that have ended" : ""}.`];
     return { sentences, names: [], baseline: "", other: "" };
   }
   const half = all.findIndex(({ share }) => share >= 0.5);
@@ -195,12 +195,13 @@ function byWorld(rows, factors, all, what, units) {
     const words = shown.map(({ name, n }, i) => `${name} ${texts[i]}${hasCounts ? ` (n = ${grouped(n)})` : ""}`);
     const without = inWorld.filter(({ name, trials }) => trials.length > 0 && !ranked.some((one) => one.name === name));
     const none = without.length > NAMES ? [`${without.length} none`] : without.map(({ name }) => `${name} none`);
-    return `${wordOf(value, world.words)}: ${[words.join(isShort ? " to " : ", "), ...none].filter(Boolean).join(", ")}`;
+    const known = [words.join(isShort ? " to " : ", "), ...none].filter(Boolean);
+    return known.length > 0 ? `${wordOf(value, world.words)}: ${known.join(", ")}` : "";
   });
   const [statistic, order] = isShare(what.measure) ? ["Share", "largest"] : ["Median", "smallest"];
   const trials = Array.from(rows.ended());
   const each = pairsOf(rows, trials, TASK).size > world.values.length ? "each kind of world" : "each world";
-  return `${statistic} of ${what.title} in ${each}, ${order} first: ${parts.join("; ")}.`;
+  return `${statistic} of ${what.title} in ${each}, ${order} first: ${parts.filter(Boolean).join("; ")}.`;
 }
 
 /**
@@ -221,13 +222,35 @@ function compared(rows, a, b, measure) {
     ),
   );
   const { n, smaller, larger, sign_p, wilcoxon_p } = paired(ofA, ofB, a.name, b.name, measure);
+  const leaning = isShare(measure) ? larger - smaller : rankSum(ofA, ofB);
   const whole = pairs.filter((_, i) => !Number.isNaN(ofA[i]) && !Number.isNaN(ofB[i]));
   const tasks = pairsOf(
     rows,
     whole.map(([trial]) => trial),
     TASK,
   ).size;
-  return { n, smaller, larger, tasks, p: isShare(measure) ? sign_p : wilcoxon_p };
+  return { n, smaller, larger, leaning, tasks, p: isShare(measure) ? sign_p : wilcoxon_p };
+}
+
+/**
+ * The ranks of the pairs in which the first value is larger, by the size of the difference, less those in which it is
+ * smaller: the direction of what Wilcoxon's test shows, which is not always that of most pairs.
+ * @param {Float64Array} a
+ * @param {Float64Array} b
+ */
+function rankSum(a, b) {
+  const differences = Array.from(a, (one, i) => (isEqual(one, b[i]) ? 0 : one - b[i])).filter(Boolean);
+  const sizes = differences.map(Math.abs).sort((one, other) => one - other);
+  // Equal sizes have their mean rank.
+  const ranks = new Map();
+  for (const [i, size] of sizes.entries()) {
+    const [sum = 0, count = 0] = ranks.get(size) ?? [];
+    ranks.set(size, [sum + i + 1, count + 1]);
+  }
+  return differences.reduce((total, one) => {
+    const [sum, count] = ranks.get(Math.abs(one));
+    return total + (Math.sign(one) * sum) / count;
+  }, 0);
 }
 
 /**
@@ -237,21 +260,28 @@ function compared(rows, a, b, measure) {
  * @param {string} measure
  * @param {number} tests
  */
-function pairSentence({ n, smaller, larger, tasks, p }, a, b, measure, tests) {
+function pairSentence({ n, smaller, larger, leaning, tasks, p }, a, b, measure, tests) {
   if (n === 0) return `No pair has a value of both ${a} and ${b}.`;
   const over = tests > 1 ? `, corrected for ${tests} tests` : "";
-  const verdict = p <= LEVEL / tests ? `significant at 5 %${over}` : `no difference is shown at 5 %${over}`;
+  const isShown = p <= LEVEL / tests;
   const rounded = Math.round(p * 1e4) / 1e4;
   const worlds = tasks > 1 && tasks < n ? `; it takes the pairs, of ${tasks} worlds, as independent` : "";
   const value = `${rounded > 0 ? `p = ${rounded}` : "p < 0.0001"}${worlds}`;
-  if (!isShare(measure))
-    return `The ${nounOf(measure)} of ${a} is smaller than that of ${b} in ${smaller} of ${n} pairs that both solved, larger in ${larger}${smaller + larger < n ? `, equal in ${n - smaller - larger}` : ""}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
+  const none = `no difference is shown at 5 %${over}`;
+  if (!isShare(measure)) {
+    const byRanks = leaning * (larger - smaller) > 0 ? "" : ", by the sizes of the differences,";
+    const verdict = isShown ? `significantly ${leaning < 0 ? "smaller" : "larger"}${byRanks} at 5 %${over}` : none;
+    return `The ${nounOf(measure)} of ${a} is smaller than that of ${b} in ${grouped(smaller)} of ${grouped(n)} pairs that both solved, larger in ${grouped(larger)}${smaller + larger < n ? `, equal in ${grouped(n - smaller - larger)}` : ""}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
+  }
   const path = measure === SOLVED ? "a path" : "a valid path";
-  const test = `${verdict} (McNemar\u2019s exact test, ${value})`;
+  const test = `${isShown ? `significant at 5 %${over}` : none} (McNemar\u2019s exact test, ${value})`;
   if (larger === smaller)
-    return `${a} and ${b} find ${path} equally often, each alone in ${larger} of ${n} pairs: ${test}.`;
+    return `${a} and ${b} find ${path} equally often, each alone in ${grouped(larger)} of ${grouped(n)} pairs: ${test}.`;
   const [more, less] = larger > smaller ? [a, b] : [b, a];
-  return `${more} finds ${path} more often than ${less}, alone in ${Math.max(larger, smaller)} of ${n} pairs, and ${less} alone in ${Math.min(larger, smaller)}: ${test}.`;
+  const [most, least] = [Math.max(larger, smaller), Math.min(larger, smaller)].map(grouped);
+  return isShown
+    ? `${more} finds ${path} more often than ${less}, alone in ${most} of ${grouped(n)} pairs, and ${less} alone in ${least}: ${test}.`
+    : `${more} alone finds ${path} in ${most} of ${grouped(n)} pairs, ${less} alone in ${least}: ${test}.`;
 }
 
 /**
@@ -261,18 +291,20 @@ function pairSentence({ n, smaller, larger, tasks, p }, a, b, measure, tests) {
  * @param {string} measure
  */
 function othersSentence(results, base, measure) {
-  const shown = [...results].filter(([, { n, p }]) => n > 0 && p <= LEVEL / results.size);
+  const known = [...results].filter(([, { n }]) => n > 0);
+  const shown = known.filter(([, { p }]) => p <= LEVEL / results.size);
   const [more, less] = isShare(measure) ? ["more often", "less often"] : ["larger", "smaller"];
   const parts = [
-    { word: more, some: shown.filter(([, one]) => one.larger > one.smaller) },
-    { word: less, some: shown.filter(([, one]) => one.larger < one.smaller) },
+    { word: more, some: shown.filter(([, { leaning }]) => leaning > 0) },
+    { word: less, some: shown.filter(([, { leaning }]) => leaning < 0) },
   ]
     .filter(({ some }) => some.length > 0)
     .map(
       ({ word, some }) =>
         `${word}: ${some.length > NAMES ? `${some.length} of them` : some.map(([name]) => name).join(", ")}`,
     );
-  const others = `${results.size} other settings`;
+  if (known.length < 2) return "";
+  const others = `${known.length} other settings${known.length < results.size ? " that have pairs" : ""}`;
   return parts.length === 0
     ? `None of the ${others} differs significantly from ${base}.`
     : `Of the ${others}, these differ significantly from ${base}: ${parts.join("; ")}.`;

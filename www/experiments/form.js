@@ -257,7 +257,7 @@ export function watchForm(session) {
           id: `vary-${row}-values`,
           value: varied ? axisText(varied.axis) : "",
           ariaLabel: `Values of parameter ${row + 1}`,
-          placeholder: "1, 3, 5 or 1 to 30 by 1",
+          placeholder: "1, 3, 5 or 1 to 30",
         });
         values.disabled = !varied;
         const set = (/** @type {string} */ place) => {

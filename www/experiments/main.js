@@ -102,6 +102,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
     run.disabled =
       !["ready", "running", "paused", "failed", "done"].includes(phase) ||
       (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
+    for (const button of view.host.getElementsByTagName("button")) button.disabled = run.disabled;
     cancel.disabled = !["running", "paused", "failed"].includes(phase) && session.uncertified === 0;
     progress.value = rows.count > 0 ? rows.done / rows.count : 0;
     byId("progress-text", HTMLElement).textContent = progressOf(session);
@@ -140,12 +141,18 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
     const folds = ["table-fold", "words-fold"].map((id) => byId(id, HTMLDetailsElement));
     /** @type {HTMLDetailsElement[]} */
     let opened = [];
-    const printing = matchMedia("print");
-    printing.addEventListener("change", ({ matches: isPrint }) => {
+    let isPrinted = false;
+    // Pages are counted after `beforeprint`, and before the media change.
+    const prepare = (/** @type {boolean} */ isPrint) => {
+      if (isPrint === isPrinted) return;
+      isPrinted = isPrint;
       if (isPrint) opened = folds.filter(({ open }) => !open);
       for (const fold of opened) fold.open = isPrint;
       byId("main", HTMLElement).style.colorScheme = isPrint ? "light" : "";
       void app.track(view.draw());
-    });
+    };
+    addEventListener("beforeprint", () => prepare(true));
+    addEventListener("afterprint", () => prepare(false));
+    matchMedia("print").addEventListener("change", ({ matches: isPrint }) => prepare(isPrint));
   }
 });

@@ -94,10 +94,10 @@ export class Opener {
    */
   async openFile(name, text) {
     // The core says what is wrong with anything that is not an experiment.
-    const read = parsed(text) ?? {};
+    const read = parsed(text);
     const { document } = this.session;
     const title = name.replace(/\.json$/, "");
-    const isScenario = read.format === "planarium-scenario-1";
+    const isScenario = read?.format === "planarium-scenario-1";
     const opened = isScenario ? enoughSeeds({ ...document, title, worlds: [{ scenario: read }] }) : read;
     await this.open({ document: opened, view: {} }, "");
   }

@@ -85,6 +85,26 @@ export function retitled(before, after) {
 }
 
 /**
+ * A document with the shape that the page needs, of anything that was opened; what the core refuses may have another.
+ * @param {any} document
+ * @returns {LinkedDocument}
+ */
+export function shaped(document) {
+  const { title, worlds, planners } = Object(document);
+  const objects = (/** @type {unknown} */ list) =>
+    Array.isArray(list) ? list.filter((one) => typeof one === "object" && one !== null) : [];
+  const needed = {
+    title: typeof title === "string" ? title : undefined,
+    worlds: objects(worlds),
+    planners: objects(planners),
+  };
+  const isShaped =
+    title === needed.title &&
+    [worlds, planners].every((list, i) => list?.length === [needed.worlds, needed.planners][i].length);
+  return isShaped ? document : { ...document, ...needed };
+}
+
+/**
  * "RRT against RRT*", "RRT in 3 worlds", "PRM by k".
  * @param {LinkedDocument} document
  * @returns {string | undefined}  undefined: it has not the shape of a document

@@ -1,5 +1,5 @@
 /** The result in sentences: the settings of planners are compared, all with the first one or two with each other. */
-import { byId, make } from "../app/dom.js";
+import { byId, grouped, make } from "../app/dom.js";
 import { comparisons } from "./comparisons.js";
 
 /** @import { ChartData } from "./charts.js" */
@@ -7,7 +7,7 @@ import { comparisons } from "./comparisons.js";
 
 /**
  * @param {ExperimentSession} session @param {() => ChartData | null} chart
- * @returns {() => void}  writes the sentences, while no trial runs
+ * @returns {() => void}  writes the sentences
  */
 export function watchResult(session, chart) {
   const fold = byId("words-fold", HTMLDetailsElement);
@@ -24,8 +24,13 @@ export function watchResult(session, chart) {
   return show;
 
   function show() {
-    if (!fold.open || session.isBusy) return;
+    if (!fold.open) return;
     const { rows, factors, view, ceiling, units } = session;
+    if (session.isBusy) {
+      tell(["Settings are compared once the trials have ended, or pause."]);
+      byId("pair", HTMLElement).hidden = true;
+      return;
+    }
     const { subject } = session.shown;
     const which = chart()?.common?.which;
     const { sentences, names, baseline, other } = comparisons(rows, factors, subject, {
@@ -40,9 +45,16 @@ export function watchResult(session, chart) {
       names.filter((name) => name !== baseline),
       other,
     );
-    byId("words", HTMLElement).replaceChildren(
-      ...[...sentences, ...(ceiling ? [ceiling.words] : [])].map((text) => make("li", {}, text)),
-    );
+    const isPart = rows.done > 0 && rows.done < rows.count;
+    const part = isPart ? [`So far ${grouped(rows.done)} of ${grouped(rows.count)} trials have ended.`] : [];
+    tell([...part, ...sentences, ...(ceiling ? [ceiling.words] : [])]);
+  }
+
+  /** @param {string[]} sentences */
+  function tell(sentences) {
+    const words = byId("words", HTMLElement);
+    if (sentences.join("\n") === Array.from(words.children, ({ textContent }) => textContent).join("\n")) return;
+    words.replaceChildren(...sentences.map((text) => make("li", {}, text)));
   }
 }
 

@@ -13,7 +13,7 @@ import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures, commonUnit } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
 import { Queue, TrialPool } from "./pool.js";
-import { retitled } from "./ready.js";
+import { retitled, shaped } from "./ready.js";
 import { lengthUnits, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
@@ -111,10 +111,10 @@ export class ExperimentSession extends Observable {
 
   /** Opens an experiment. @param {ExperimentState} state @returns {Promise<boolean>}  whether it is accepted */
   open({ document, view }) {
-    this.document = document;
+    this.document = shaped(document);
     this.view = view;
     this.update("document");
-    return this.check();
+    return this.check(document);
   }
 
   /**
@@ -163,17 +163,21 @@ export class ExperimentSession extends Observable {
     return this.stopping.signal;
   }
 
-  /** Lets the core check the document; rows are dropped. @returns {Promise<boolean>} */
-  async check() {
+  /**
+   * Lets the core check the document; rows are dropped.
+   * @param {LinkedDocument} [given]  as it was opened
+   * @returns {Promise<boolean>}
+   */
+  async check(given = this.document) {
     const signal = this.begin();
     this.refusal = this.info = this.resolved = this.ceiling = null;
     this.queue = new Queue(null, new Rows([], 0), 1);
     this.factors = [];
     this.setPhase("checking");
     try {
-      const document = await resolved(this.document);
+      const document = await resolved(given);
       if (signal.aborted) return false;
-      this.robots = robotsOf(document);
+      this.robots = robotsOf(/** @type {any} */ (shaped(document)));
       const info = await this.pool.open(document);
       if (signal.aborted) return false;
       if (info.trialCount > MOST) {

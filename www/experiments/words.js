@@ -21,9 +21,8 @@ export function sentenceOf({ phase, info, rows, document: { title, worlds, plann
   if (phase === "refused" || phase === "failed")
     return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
   if (!info) {
-    const isDrawn = worlds.some((world) =>
-      isEnsured("set" in world ? world.set : {}, "vary" in world ? world.vary : {}),
-    );
+    // Whatever the document is, as it is not checked yet.
+    const isDrawn = /"ensure":(?!"any")/.test(JSON.stringify(worlds) ?? "");
     const draws = isDrawn ? " Worlds are drawn until each is known to have a path, or none." : "";
     return `${begin}Checking the experiment\u2026${draws}`;
   }
@@ -52,11 +51,6 @@ export function subjectOf({ document: { planners, worlds, seeds }, rows }) {
   ].filter(Boolean);
   const product = Number.isInteger(inEach) && factors.length > 1 ? ` (${factors.join(" x ")})` : "";
   return `${list(algorithms, "planner")}; ${list(names, "world")}; ${counted(rows.count, "trial")}${product}.`;
-}
-
-/** Whether some of its worlds must have a path, or none. @param {object | undefined} set @param {object | undefined} vary */
-function isEnsured(set = {}, vary = {}) {
-  return ("ensure" in set && set.ensure !== "any") || "ensure" in vary;
 }
 
 /** Options that do not vary. @param {Record<string, unknown> | undefined} set */

@@ -24,7 +24,7 @@ import { nameOf, valuesOf } from "./factors.js";
  */
 export async function resolved(document) {
   // The core says what is wrong with anything else.
-  if (!Array.isArray(document.worlds)) return /** @type {any} */ (document);
+  if (!Array.isArray(document?.worlds)) return /** @type {any} */ (document);
   return { ...document, worlds: await Promise.all(document.worlds.map(worldOf)) };
 }
 

@@ -44,7 +44,11 @@ export function showLegend(
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
   byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
   byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
-  write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
+  const kinds = [...new Set(lanes.map(({ kind }) => kind))];
+  write(
+    byId("legend-growth", HTMLElement),
+    kinds.filter((kind) => kind !== "tree" || !kinds.includes("trees")).join(", "),
+  );
   write(
     byId("legend-optimum-name", HTMLElement),
     some(({ optimum }) => optimum === "reference") ? "reference" : "shortest path",

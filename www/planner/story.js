@@ -123,9 +123,12 @@ export function ending(run, playback) {
       : `${why}.`;
   if (run.pieces) {
     const { k } = run.settings;
-    // The components say the reason themselves, in a sentence of two lines.
-    const before = reason === "not-connected" ? "No path" : why;
-    return `${before}. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
+    // The components say the reason themselves, in a sentence of two lines; the legend has their colours.
+    const before =
+      reason !== "not-connected"
+        ? `${why}. The roadmap has`
+        : `This roadmap has no path: ${typeof k === "number" ? `with k = ${k} ` : ""}it has`;
+    return `${before} ${grouped(run.pieces.count)} connected components, with start and goal in different ones.`;
   }
   if (!run.isTree) return `${why}.`;
   if (!approximate || !playback)
@@ -248,5 +251,5 @@ function standing(lanes, standings) {
     : "";
   if (best === undefined) return `${winner}.`;
   if (isTied && String(first) === String(shortest)) return `${winner}, of length ${length}.${searches}`;
-  return `${winner}; ${letters(shortest)} ${shortest.length > 1 ? "have" : "has"} the shortest${isOver ? "" : " so far"}, ${length}.${searches}`;
+  return `${winner}; ${letters(shortest)} ${shortest.length > 1 ? "have" : "has"} the shortest here${isOver ? "" : " so far"}, ${length}.${searches}`;
 }

@@ -81,7 +81,8 @@ export class Table {
               `${lane.cost.toFixed(2)} ${lane.unit}`.trim(),
               lane.gap !== null && `gap ${percent(lane.gap)}`,
               lane.standing.collides ? "it collides" : !lane.isProven && "not proven",
-              shortest.includes(i) && `${lane.standing.isCost ? "cheapest" : "shortest"}${isOver ? "" : " so far"}`,
+              shortest.includes(i) &&
+                `${lane.standing.isCost ? "cheapest" : "shortest"} here${isOver ? "" : " so far"}`,
             ),
         lane.waypoints === null ? "\u2013" : grouped(lane.waypoints),
         lane.visited === null ? "\u2013" : grouped(lane.visited),

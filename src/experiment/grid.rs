@@ -91,17 +91,13 @@ fn axis(values: &Json) -> Result<Vec<Json>, Error> {
         Json::Array(list) if list.len() as u64 > MAX_LIST => too_many(list.len() as f64),
         Json::Array(list) => {
             let mut seen = BTreeSet::new();
-            // 3 and 3.0 are the same value.
-            let key =
-                |value: &Json| value.as_f64().map_or_else(|| value.to_string(), |number| (number + 0.0).to_string());
-            match list.iter().position(|value| !seen.insert(key(value))) {
-                Some(i) => refused(
-                    Code::OutOfRange,
-                    format!("/{i}"),
-                    format!("the value {} occurs twice", json::to_string(&list[i])),
-                ),
-                None => Ok(list.clone()),
+            for (i, value) in list.iter().enumerate() {
+                if !seen.insert(json::to_string(value)) {
+                    let sentence = format!("the value {} occurs twice", json::to_string(value));
+                    return refused(Code::OutOfRange, format!("/{i}"), sentence);
+                }
             }
+            Ok(list.clone())
         }
         Json::Object(_) => span(json::read(values)?),
         _ => refused(Code::WrongType, "", "this must be a list of values, or an object with from, to and step"),

@@ -188,7 +188,7 @@ test("every link leads to a file, and to a heading in it; links of pages open", 
   let count = 0;
   for (const [name, text] of texts) {
     for (const [, link] of text.matchAll(/\]\((?!https?:)([^)\s]+)\)/g)) {
-      const [path, anchor] = link.split("#");
+      const [, path, anchor] = /^([^?#]*)(?:\?[^#]*)?(?:#(.*))?$/.exec(link) ?? assert.fail(link);
       const file = join(dirname(name), path === "" ? name.replace(/.*\//, "") : path);
       assert.ok(existsSync(join(root, file)), `${name} links to ${link}`);
       const headings = (texts.get(file) ?? "")

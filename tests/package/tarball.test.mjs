@@ -113,7 +113,7 @@ test("the tarball weighs at most 2640 KB, its light module at most 672 KB gzippe
   assert.ok(statSync(tarball).size <= 2_640_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
     ["planarium_bg.wasm", 1_698_000, 672_000],
-    ["full/full_bg.wasm", 2_612_000, 1_054_000],
+    ["full/full_bg.wasm", 2_613_000, 1_054_000],
     ["import/import_bg.wasm", 1_360_000, 575_000],
     ["shortest/shortest_bg.wasm", 285_000, 114_000],
   ])) {

@@ -1,9 +1,9 @@
 /**
- * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to
- * the first and the last, A shows the answer and Space plays. In the live page Page Up and Page Down, the keys of a remote control, turn the slides as well; after
- * Escape there all keys belong to the slides again. The fragment is the number of the slide. The pages of the slides
- * before stay as they were, so that one can go back to a run. On paper each question has a code that opens its page,
- * and the answers are on a separate sheet.
+ * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to the
+ * first and the last, A shows the answer and Space plays. In the live page Page Up and Page Down, the keys of a remote
+ * control, turn the slides as well; after Escape there all keys belong to the slides again. The fragment is the number
+ * of the slide. The pages of the slides before stay as they were, so that one can go back to a run. On paper each
+ * question has a code that opens its page, and the answers are on a separate sheet.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).

@@ -271,7 +271,13 @@ function pairSentence({ n, smaller, larger, leaning, tasks, p }, a, b, measure, 
   if (!isShare(measure)) {
     const byRanks = leaning * (larger - smaller) > 0 ? "" : ", by the sizes of the differences,";
     const verdict = isShown ? `significantly ${leaning < 0 ? "smaller" : "larger"}${byRanks} at 5 %${over}` : none;
-    return `The ${nounOf(measure)} of ${a} is smaller than that of ${b} in ${grouped(smaller)} of ${grouped(n)} pairs that both solved, larger in ${grouped(larger)}${smaller + larger < n ? `, equal in ${grouped(n - smaller - larger)}` : ""}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
+    const equal = n - smaller - larger;
+    const counts = [
+      `smaller than that of ${b} in ${grouped(smaller)} of ${grouped(n)} pairs that both solved`,
+      `larger in ${grouped(larger)}`,
+      ...(equal > 0 ? [`equal in ${grouped(equal)}`] : []),
+    ].join(", ");
+    return `The ${nounOf(measure)} of ${a} is ${counts}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
   }
   const path = measure === SOLVED ? "a path" : "a valid path";
   const test = `${isShown ? `significant at 5 %${over}` : none} (McNemar\u2019s exact test, ${value})`;

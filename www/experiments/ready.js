@@ -86,8 +86,9 @@ export function retitled(before, after) {
 
 /**
  * A document with the shape that the page needs, of anything that was opened; what the core refuses may have another.
- * @param {any} document
- * @returns {LinkedDocument}
+ * @template {object} D
+ * @param {D} document
+ * @returns {D}
  */
 export function shaped(document) {
   const { title, worlds, planners } = Object(document);

@@ -177,7 +177,7 @@ export class ExperimentSession extends Observable {
     try {
       const document = await resolved(given);
       if (signal.aborted) return false;
-      this.robots = robotsOf(/** @type {any} */ (shaped(document)));
+      this.robots = robotsOf(shaped(document));
       const info = await this.pool.open(document);
       if (signal.aborted) return false;
       if (info.trialCount > MOST) {

@@ -116,6 +116,22 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
   }
 });
 
+test("where one trial in some is a dot, the chart says so", () => {
+  const seed = { column: "seed", title: "seed", unit: "", values: [0], isNumeric: true };
+  const remarkOver = (/** @type {number} */ count) => {
+    const rows = new Rows(["seed", "status", "length", "iterations"], count);
+    for (let trial = 0; trial < count; trial++) rows.set(trial, [0, "solved", trial, 1], [0, 0]);
+    const chart = chartOf(rows, [seed], { chart: "box", measure: "length" }, ["length"], "m");
+    return { dots: chart.points.length, remark: remarkOf(chart) };
+  };
+  const few = remarkOver(2000);
+  assert.equal(few.dots, 2000);
+  assert.match(few.remark, /value\. Each dot is a trial\./);
+  const many = remarkOver(4001);
+  assert.equal(many.dots, 1334);
+  assert.match(many.remark, /value\. Each dot is a trial; one in 3 is drawn\./);
+});
+
 test("a caption says what was run, and how many trials these are", () => {
   assert.match(
     subjectOf({ document: small, rows: new Rows([], 48) }),

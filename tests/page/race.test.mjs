@@ -324,6 +324,7 @@ test("what the table of a race says, and its transport", (t) =>
             const [other] = await Promise.all([page.context().waitForEvent("page"), page.click(button)]);
             await other.waitForSelector('body[data-count="200"]');
             assert.equal(await other.isHidden("#notice"), true);
+            assert.equal(await other.innerText("#kinds [aria-pressed=true]"), "Distribution");
             await other.close();
           }
         },

@@ -11,6 +11,7 @@ import { success } from "./charts/success.js";
 import { counted, grouped } from "../app/dom.js";
 import { commonTrials } from "./common.js";
 import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./measures.js";
+import { perDot } from "./tables.js";
 
 /** @import { Markish, PlotOptions } from "@observablehq/plot" */
 /** @import { Palette } from "../app/palette.js" */
@@ -77,6 +78,7 @@ import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./m
  * @property {Summary[]} summaries
  * @property {Distribution[]} distributions
  * @property {Point[]} points
+ * @property {number} each   of how many trials one is a point
  * @property {Bin[]} bins
  * @property {number[]} counted   the numbers of trials behind its marks
  * @property {{ least: number, most: number }} counts   their range
@@ -179,6 +181,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit, ceiling = null, 
     summaries: [],
     distributions: [],
     points: [],
+    each: perDot(rows),
     bins: [],
     counted: [],
     counts: { least: 0, most: 0 },

@@ -126,6 +126,9 @@ export function distributions(selection, work) {
   });
 }
 
+/** Of how many trials one is drawn as a dot. @param {Rows} rows */
+export const perDot = (rows) => Math.max(1, Math.ceil(rows.done / DOTS));
+
 /**
  * Some of the trials with a path, evenly.
  * @param {Selection} selection
@@ -136,7 +139,7 @@ export function distributions(selection, work) {
  */
 export function points(selection, axis, measure, work) {
   const { rows } = selection;
-  const each = Math.ceil(rows.done / DOTS);
+  const each = perDot(rows);
   return grouped(selection, [axis]).flatMap(({ trials, series, place: [x] }) => {
     const some = trials.filter((_, i) => i % each === 0);
     const [values, works] = [sampleOf(rows, some, measure), sampleOf(rows, some, work)];

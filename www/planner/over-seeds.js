@@ -73,7 +73,8 @@ export function openOverSeeds(page) {
 /** @param {Page} page */
 async function open(page) {
   const document = experimentOver(page, page.session.library.planners());
-  const state = { document, view: { chart: "success", measure: "solved" }, run: true };
+  // Shares of solved trials and their work in one picture: where all are solved, the work tells them apart.
+  const state = { document, view: { chart: "ecdf", work: "clearance_evaluations" }, run: true };
   const fragment = await encodeFragment(state, LIMITS).catch((error) => {
     if (!page.record.document) throw error;
     throw new Error(

@@ -95,7 +95,8 @@ export function shareOf(measure) {
 export const WHOLE_RUN =
   "Work is the work of the whole run, including the iterations in which a planner such as RRT* or SST improves its path.";
 
-/** A dot is a trial. @param {ChartData} chart */
-export function dotsOf({ points }) {
-  return points.length > 0 ? " Each dot is a trial." : "";
+/** A dot is a trial, of which not all are drawn where there are many. @param {ChartData} chart */
+export function dotsOf({ points, each }) {
+  if (points.length === 0) return "";
+  return each > 1 ? ` Each dot is a trial; one in ${each} is drawn.` : " Each dot is a trial.";
 }

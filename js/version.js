@@ -1,2 +1,2 @@
 /** Version of the package, the same as that of the crate inside it. @type {string} */
-export const version = "0.2.0-dev";
+export const version = "0.2.0";

@@ -1,6 +1,7 @@
 /**
  * `npm run bench`: roadmaps and queries of arms, bodies and cars, natively and in Node, beside OMPL and OxMPL, then first
- * answers, fleets, new processes, memory and threads; in one run, which ends with the aims reached and missed.
+ * answers, maps (where PLANARIUM_WORLDS has some), fleets, new processes, memory and threads; in one run, which ends
+ * with the aims reached and missed.
  *
  *   --quick           three worlds per row and few runs, as a smoke test
  *   --worlds N        worlds per row (50)

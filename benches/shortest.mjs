@@ -5,6 +5,8 @@
  *   --queries N    queries in each world (100)
  *   --turf N       of them for @turf/shortest-path, which prepares nothing (10); it has the small worlds alone
  *   --only WORD    worlds whose name has the word
+ *   --ours         Planarium alone; needs no peers
+ *   --json FILE    writes the medians
  *   --write        updates the table in docs/benchmarks.md
  *
  * Worlds are generated, and maps of MovingAI and ROS where the variable PLANARIUM_WORLDS names their folder. All sides
@@ -14,7 +16,7 @@
  * of one metre; a cell is free if its centre is. Preparation is CPU time, a query the fastest of five runs. Run `npm ci` in
  * `benches/peers/shortest` first: it installs the peers.
  */
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
@@ -430,15 +432,18 @@ await script(async () => {
       queries: { type: "string", default: "100" },
       turf: { type: "string", default: "10" },
       only: { type: "string", default: "" },
+      ours: { type: "boolean", default: false },
+      json: { type: "string" },
       write: { type: "boolean", default: false },
     },
   });
   const [count, few] = [integer("queries", options.queries, 1), integer("turf", options.turf, 1)];
-  const modules = await peers();
+  const modules = options.ours ? null : await peers();
   const folder = process.env.PLANARIUM_WORLDS;
   const maps = folder === undefined ? [] : await Promise.all(MAPS.map((map) => mapOf(folder, map)));
   const worlds = [houses("20 houses", 20, 100, true), houses("2000 houses", 2000, 1000, false), ...maps];
   /** @type {string[][]} */ const body = [];
+  const medians = [];
   for (const world of worlds.filter(({ name }) => name.includes(options.only))) {
     const judge = new Judge(world.areas);
     const ours = planarium(world, false);
@@ -449,10 +454,12 @@ await script(async () => {
       ["`planarium/shortest`", ours],
       ["with `manyQueries`", planarium(world, true)],
       ...PLANNERS.map(([name, options]) => /** @type {[string, Side]} */ ([name, planned(world, queries, options)])),
-      ["`recast-navigation`", recast(modules.recast, world)],
-      ...(world.isGrid ? [/** @type {[string, Side]} */ (["`pathfinding`, A*", gridded(modules.grids, world)])] : []),
-      ["`@turf/shortest-path`", world.isSmall ? turf(modules.turf, world, few) : null],
     ];
+    if (modules !== null) {
+      sides.push(["`recast-navigation`", recast(modules.recast, world)]);
+      if (world.isGrid) sides.push(["`pathfinding`, A*", gridded(modules.grids, world)]);
+      sides.push(["`@turf/shortest-path`", world.isSmall ? turf(modules.turf, world, few) : null]);
+    }
     for (const [name, side] of sides) {
       if (side === null) {
         body.push([world.name, name, ...Array.from({ length: 6 }, () => "-")]);
@@ -468,13 +475,15 @@ await script(async () => {
         return `${digits((100 * touching.length) / (found.length || 1))} %`;
       };
       const times = done.map(({ milliseconds }) => milliseconds);
+      const [median, longer] = [times, over].map((values) => quantile(values, 0.5));
+      medians.push({ world: world.name, side: name, milliseconds: median, longer });
       body.push([
         world.name,
         name,
         digits(side.preparation),
-        `${digits(quantile(times, 0.5))} (${digits(Math.max(...times))})`,
+        `${digits(median)} (${digits(Math.max(...times))})`,
         `${found.length} of ${done.length}`,
-        `${percent(quantile(over, 0.5))} (${percent(Math.max(...over))})`,
+        `${percent(longer)} (${percent(Math.max(...over))})`,
         // The shortest path of a point touches corners.
         world.distance === 0 ? "-" : share(1e-9),
         world.distance === 0 || side.distance === 0 ? "-" : share(KEPT * world.distance),
@@ -494,5 +503,6 @@ await script(async () => {
   ];
   const text = table(head, body);
   console.log(text);
+  if (options.json !== undefined) writeFileSync(options.json, `${JSON.stringify(medians, null, 1)}\n`);
   if (options.write) update("shortest", text);
 });

@@ -60,6 +60,19 @@ export const aims = [
   { name: "one thread over two, k-PRM, batch", rows: /^Two threads/, figure: "one thread / two threads", least: 1.7 },
   { name: "first roadmap of a new process, ms", rows: /^First roadmap/, figure: "Node, ms after loading", most: 50 },
   { name: "first answer, Node over native", rows: /^First answer/, figure: "Node / native", most: 2 },
+  {
+    name: "default planner on city maps, Node, ms",
+    rows: /^Map/,
+    figure: "planarium, the default planner, Node, ms",
+    most: 2,
+  },
+  {
+    name: "default planner on city maps, % longer than the shortest path",
+    rows: /^Map/,
+    figure: "planarium, the default planner, % longer than the shortest path",
+    most: 1,
+  },
+  { name: "BIT* on city maps, Node, ms", rows: /^Map/, figure: "planarium, bit-star, Node, ms", most: 8 },
   { name: "200 discs in an open hall, native, ms", rows: /^A plan for 200/, figure: "native, ms", most: 5000 },
   {
     name: "200 discs, the longest iteration, Node, ms",

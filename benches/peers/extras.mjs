@@ -1,5 +1,5 @@
-/** The rows that compare with no peer: first answers, fleets, new processes, memory, threads. */
-import { writeFileSync } from "node:fs";
+/** The rows that compare with no peer: first answers, maps, fleets, new processes, memory, threads. */
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
 import { placeOf } from "./aims.mjs";
@@ -37,6 +37,11 @@ export const extras = [
     side: /** @type {const} */ ("node"),
     measure: (/** @type {Setting} */ setting) => firstAnswers(row, setting),
   })),
+  ...["Berlin_0_256", "NewYork_1_512"].map((map) => ({
+    name: `Map, ${map}`,
+    side: /** @type {const} */ ("node"),
+    measure: (/** @type {Setting} */ setting) => queriesOfMap(map, setting),
+  })),
   { name: "A plan for 200 discs in an open hall", side: "node", measure: fleets },
   { name: "First roadmap of a new process (4R, n = 1000)", side: "node", measure: coldStarts },
   { name: "Memory of the WebAssembly instance (4R, k = 10)", side: "node", measure: instance },
@@ -59,6 +64,26 @@ async function firstAnswers(row, { native, node, Scenario, folder, isQuick }) {
     times.push([await of(native), await of(node)]);
   }
   return compared(times.slice(1));
+}
+
+/**
+ * Random queries of a disc of 0.3 m on a city map: the planners of `npm run bench:shortest`, with the medians of time and of
+ * how much longer their paths are than the shortest ones.
+ * @param {string} map
+ * @param {Setting} setting
+ */
+function queriesOfMap(map, { folder, isQuick }) {
+  if (process.env.PLANARIUM_WORLDS === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  const file = join(folder, `${map}.json`);
+  const args = ["--ours", "--only", map, "--queries", isQuick ? "5" : "100", "--json", file];
+  if (ask(process.execPath, [join(root, "benches", "shortest.mjs"), ...args]) === undefined)
+    throw new Problem(`benches/shortest.mjs failed on ${map}.`);
+  /** @type {{ side: string, milliseconds: number, longer: number }[]} */
+  const medians = JSON.parse(readFileSync(file, "utf8"));
+  return medians.flatMap(({ side, milliseconds, longer }) => {
+    const name = side.replaceAll("`", "");
+    return [figure(`${name}, Node, ms`, milliseconds), figure(`${name}, % longer than the shortest path`, longer)];
+  });
 }
 
 /**

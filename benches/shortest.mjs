@@ -108,12 +108,16 @@ function houses(name, count, side, isSmall) {
   return { name, size: [side, side], areas, distance: 0.5, cell: 0.25, isSmall };
 }
 
+/** What the world of a map is called. @param {(typeof MAPS)[number]} map */
+const nameOf = ([paths, distance]) => `${basename(paths[0]).replace(/\..*/u, "")}, ${distance} m`;
+
 /** A map, which begins at 0, 0. @param {string} folder @param {(typeof MAPS)[number]} map @returns {Promise<World>} */
-async function mapOf(folder, [paths, distance, cell]) {
+async function mapOf(folder, map) {
+  const [paths, distance, cell] = map;
   const read = (/** @type {string} */ path) => new Uint8Array(readFileSync(join(folder, path)));
   const files = paths.map((path) => ({ name: basename(path), bytes: read(path) }));
   const { scenario } = await readWorld(files, { robot: { type: "point" } });
-  const name = basename(paths[0]).replace(/\..*/u, "");
+  const name = nameOf(map);
   const { bounds, obstacles } = scenario.world;
   if (bounds === undefined) throw new Problem(`${name} has no bounds`);
   const [x0, y0] = bounds.min;
@@ -125,7 +129,7 @@ async function mapOf(folder, [paths, distance, cell]) {
   });
   const size = /** @type {Position} */ ([bounds.max[0] - x0, bounds.max[1] - y0]);
   const isGrid = paths[0].endsWith(".map");
-  return { name: `${name}, ${distance} m`, size, areas, distance, cell, isSmall: false, isGrid };
+  return { name, size, areas, distance, cell, isSmall: false, isGrid };
 }
 
 /** All sides of areas, in squares where they may be. */
@@ -440,11 +444,13 @@ await script(async () => {
   const [count, few] = [integer("queries", options.queries, 1), integer("turf", options.turf, 1)];
   const modules = options.ours ? null : await peers();
   const folder = process.env.PLANARIUM_WORLDS;
-  const maps = folder === undefined ? [] : await Promise.all(MAPS.map((map) => mapOf(folder, map)));
+  const isChosen = (/** @type {string} */ name) => name.includes(options.only);
+  const chosen = MAPS.filter((map) => isChosen(nameOf(map)));
+  const maps = folder === undefined ? [] : await Promise.all(chosen.map((map) => mapOf(folder, map)));
   const worlds = [houses("20 houses", 20, 100, true), houses("2000 houses", 2000, 1000, false), ...maps];
   /** @type {string[][]} */ const body = [];
   const medians = [];
-  for (const world of worlds.filter(({ name }) => name.includes(options.only))) {
+  for (const world of worlds.filter(({ name }) => isChosen(name))) {
     const judge = new Judge(world.areas);
     const ours = planarium(world, false);
     const queries = queriesOf(world, judge, ours, count);
@@ -475,7 +481,8 @@ await script(async () => {
         return `${digits((100 * touching.length) / (found.length || 1))} %`;
       };
       const times = done.map(({ milliseconds }) => milliseconds);
-      const [median, longer] = [times, over].map((values) => quantile(values, 0.5));
+      const median = quantile(times, 0.5);
+      const longer = quantile(over, 0.5);
       medians.push({ world: world.name, side: name, milliseconds: median, longer });
       body.push([
         world.name,

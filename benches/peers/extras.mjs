@@ -76,8 +76,7 @@ function queriesOfMap(map, { folder, isQuick }) {
   if (process.env.PLANARIUM_WORLDS === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
   const file = join(folder, `${map}.json`);
   const args = ["--ours", "--only", map, "--queries", isQuick ? "5" : "100", "--json", file];
-  if (ask(process.execPath, [join(root, "benches", "shortest.mjs"), ...args]) === undefined)
-    throw new Problem(`benches/shortest.mjs failed on ${map}.`);
+  printedBy("shortest.mjs", args);
   /** @type {{ side: string, milliseconds: number, longer: number }[]} */
   const medians = JSON.parse(readFileSync(file, "utf8"));
   return medians.flatMap(({ side, milliseconds, longer }) => {
@@ -179,15 +178,20 @@ function threads() {
 }
 
 /**
- * Runs a script in a new Node process on all cores, as engines compile beside the page, and returns what it prints as
- * JSON.
+ * Runs a script of the peers in a new Node process on all cores, as engines compile beside the page, and returns what it
+ * prints as JSON.
  * @param {string} script
  * @param {string[]} args
  */
 function inNode(script, args) {
-  const answer = ask(process.execPath, [join(root, "benches", "peers", script), ...args]);
-  if (answer === undefined) throw new Problem(`benches/peers/${script} failed.`);
-  return JSON.parse(answer);
+  return JSON.parse(printedBy(`peers/${script}`, args));
+}
+
+/** What a script of `benches` prints in a new Node process. @param {string} script @param {string[]} args */
+function printedBy(script, args) {
+  const answer = ask(process.execPath, [join(root, "benches", script), ...args]);
+  if (answer === undefined) throw new Problem(`\`benches/${script} ${args.join(" ")}\` failed.`);
+  return answer;
 }
 
 /** Runs a benchmark of the crate on all cores and returns what it prints. @param {string[]} args */

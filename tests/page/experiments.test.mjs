@@ -373,6 +373,24 @@ test("an experiment that was run", (t) =>
 /** A short experiment that runs as it is opened. */
 const CHART = `#${await encodeExperiment({ document: SMALL, run: true })}`;
 
+/** Pairs of words of the chart of which one covers the other. */
+function overlaps() {
+  const words = Array.from(document.querySelectorAll("#stage .plot text"), (word) => ({
+    text: word.textContent,
+    box: word.getBoundingClientRect(),
+  })).filter(({ text }) => text);
+  return words.flatMap(({ text, box }, i) =>
+    words
+      .slice(i + 1)
+      .filter(
+        ({ box: other }) =>
+          Math.min(box.right, other.right) - Math.max(box.left, other.left) > 1 &&
+          Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top) > 3,
+      )
+      .map((other) => `${text} and ${other.text}`),
+  );
+}
+
 test("its chart fills small screens, projectors and frames", () =>
   onPage(
     { reducedMotion: "reduce", viewport: { width: 1024, height: 768 } },
@@ -380,6 +398,7 @@ test("its chart fills small screens, projectors and frames", () =>
       const fills = async (/** @type {string} */ name) => {
         await page.waitForSelector("#stage .plot");
         await assertFills(page, name);
+        assert.deepEqual(await page.evaluate(overlaps), [], name);
       };
       await fills("desk");
       await page.click("#projector");

@@ -21,7 +21,9 @@ const MOST_ROWS = 400;
 const drawing = once(() => import("./draw.js"));
 
 /** The height of a chart: a part of the window's, or of the frame's, and of its own width, at most, and pixels, at least. */
-const TALL = { ofWindow: 0.605, ofFrame: 0.74, ofWidth: 0.75, pixels: 300 };
+const TALL = { ofWindow: 0.605, ofWidth: 0.75, pixels: 300, least: 220 };
+/** Pixels below a chart that fills a screen. */
+const BELOW = 24;
 
 export class ChartView {
   /**
@@ -81,12 +83,18 @@ export class ChartView {
     const began = performance.now();
     const { rows, factors, view, asked, units, ceiling, measures } = session;
     const unit = commonUnit(units) ?? "units differ";
-    const { palette, bold } = this.app.look;
+    const { palette } = this.app.look;
     const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling, measures) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));
-    const part = document.documentElement.classList.contains("embed") ? TALL.ofFrame : TALL.ofWindow;
-    const height = Math.round(Math.max(TALL.pixels, Math.min(part * innerHeight, TALL.ofWidth * width)));
-    const picture = chart && drawChart(chart, { width, height, palette, bold });
+    // In a frame and on a projector it takes what is left of the screen.
+    const isWhole = document.documentElement.matches(".embed, .projector");
+    const room = isWhole ? innerHeight - host.getBoundingClientRect().top - BELOW : TALL.ofWindow * innerHeight;
+    const least = isWhole ? TALL.least : TALL.pixels;
+    const height = Math.round(Math.max(least, Math.min(room, TALL.ofWidth * width)));
+    // Letters are as large as the page's, and everything with them.
+    const zoom = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+    const picture = chart && drawChart(chart, { width: width / zoom, height: height / zoom, isWhole, palette });
+    if (picture) picture.style.width = `${width}px`;
     this.chart = chart;
     this.picture = picture;
     this.framed = () =>

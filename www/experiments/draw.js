@@ -22,11 +22,13 @@ const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond"
 
 /**
  * A picture of a chart.
- * @param {ChartData} chart @param {{ width: number, height: number, palette: Palette, bold: number }} look
+ * @param {ChartData} chart
+ * @param {{ width: number, height: number, isWhole?: boolean, palette: Palette }} look   `isWhole`: the height includes
+ *   the legend
  * @returns {SVGSVGElement}  its dots with the class `trial` have the number of a trial as `data-trial`
  */
 export function drawChart(chart, look) {
-  const { palette, width, bold } = look;
+  const { palette, width } = look;
   const colours = SERIES.map((name) => palette[name]);
   /** @type {import("./charts.js").Look["scale"]} */
   const scale = (domain, range) => Plot.scale({ color: { type: "linear", domain, range, interpolate: "rgb" } }).apply;
@@ -42,18 +44,18 @@ export function drawChart(chart, look) {
   };
   const legend = legendOf(chart, styleOf, width);
   const { marks, options, above = 0, legend: own } = chart.kind.marks(Plot, chart, { width, palette, styleOf, scale });
-  const marginTop = 38 + LINE * legend.lines + above;
+  const top = LINE * legend.lines + above;
   const picture = /** @type {SVGSVGElement} */ (
     Plot.plot({
       width,
-      height: look.height + LINE * legend.lines + above,
-      marginTop,
-      marginBottom: 26 + 20 * bold,
+      height: look.height + (look.isWhole ? 0 : top),
+      marginTop: 38 + top,
+      marginBottom: 46,
       marginLeft: 62,
       marginRight: 20,
       className: "plot",
       // Of its own: the page's policy allows no style element.
-      style: { fontSize: `${12 * bold}px`, fontFamily: "inherit", overflow: "visible" },
+      style: { fontSize: `${FONT}px`, fontFamily: "inherit", overflow: "visible" },
       ...options,
       marks: [
         ...marks,
@@ -202,6 +204,7 @@ export function captioned(picture, { title, caption, palette }) {
   const whole = height + head + (lines.length > 0 ? LINE * (lines.length + 1) : 0);
   const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
   chart.setAttribute("y", String(head));
+  chart.style.removeProperty("width");
   const text = (/** @type {number} */ y, /** @type {string} */ words, more = {}) =>
     element("text", { x: EDGE, y, fill: palette.ink, ...more }, words);
   const frame = element(

@@ -4,6 +4,7 @@
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { inflateRawSync } from "node:zlib";
 import { coloursOf, documents } from "./gallery.mjs";
 import { root } from "./run.mjs";
 
@@ -109,22 +110,48 @@ async function fleetPane() {
   return (/** @type {import("../www/draw/sheet.js").Brush} */ brush) => drawWhole(floor, brush);
 }
 
-/** The rows of the plan of a class in docs/teaching.md: its minute, title, page, question and answer. */
+const LINK = /\[([^\]]+)\]\(\.\.\/www\/([^)]+)\)/g;
+
+/**
+ * The rows of the plan of a class in docs/teaching.md: its minute, title, page, question, and answer. `linked` is the
+ * answer in Markdown, whose links open further pages.
+ */
 export function classPlan() {
   const text = readFileSync(join(root, "docs", "teaching.md"), "utf8");
   return Array.from(
     text.matchAll(/^\| (\d+) \| \[([^\]]+)\]\(\.\.\/www\/([^)]+)\) \| (.+) \| (.+) \|$/gm),
-    ([, minute, title, page, question, answer]) => ({ minute: Number(minute), title, page, question, answer }),
+    ([, minute, title, page, question, linked]) => ({
+      minute: Number(minute),
+      title,
+      page,
+      question,
+      linked,
+      answer: linked.replace(LINK, "$1"),
+    }),
   );
+}
+
+/** Links to the guides of the planners that a page opens with. @param {string} page  with its fragment */
+function guidesOf(page) {
+  const { lanes, document } = JSON.parse(String(inflateRawSync(Buffer.from(page.split("#1")[1], "base64url"))));
+  /** @type {Set<string>} */
+  const planners = new Set((lanes ?? document.planners).map((/** @type {any} */ { algorithm }) => algorithm));
+  return Array.from(planners, (id) => {
+    const [, title] = /** @type {RegExpExecArray} */ (
+      /^# ([^:\n]+)/.exec(readFileSync(join(root, "docs", "planners", `${id}.md`), "utf8"))
+    );
+    return `<a href="docs/planners/${id}.html" target="_blank">${title}</a>`;
+  });
 }
 
 /** The HTML of the slides. */
 export function slides() {
   const html = (/** @type {string} */ text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
   return classPlan()
-    .map(
-      ({ title, page, question, answer }) =>
-        `<section class="slide" data-page="${page}" data-title="${html(title)}" hidden><h1>${html(question)}</h1><p class="answer" hidden>${html(answer)}</p></section>`,
-    )
+    .map(({ title, page, question, linked }) => {
+      const answer = html(linked).replace(LINK, (_, words, other) => `<a href="${other}">${words}</a>`);
+      const guides = `About ${guidesOf(page).join(", ")}`;
+      return `<section class="slide" data-page="${page}" data-title="${html(title)}" hidden><h1>${html(question)}</h1><p class="answer" hidden>${answer}</p><span class="guides" hidden>${guides}</span></section>`;
+    })
     .join("\n  ");
 }

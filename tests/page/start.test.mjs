@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { Scenario } from "planarium";
 import { printedCode } from "./printed.mjs";
 import { classPlan } from "../../scripts/front.mjs";
+import { codeWarning } from "../../www/app/qr-code.js";
 import { encodeLink } from "../../www/planner/link/codec.js";
 import { beginRun, bestPath } from "../../www/start/growth.js";
 import { RUN } from "../../www/start/run.js";
@@ -135,6 +136,15 @@ test("it breaks no rule that axe checks, light and dark, and fits a phone", () =
     START,
   ));
 
+test("codes on paper are warned about where only this computer can open them", () => {
+  const isWarned = (/** @type {string} */ address) => codeWarning(new URL(address)) !== "";
+  const [here, elsewhere] = [
+    ["file:///home/planarium.html", "http://localhost:8000/", "http://127.0.0.1/", "http://[::1]:80/class.html"],
+    ["https://example.org/localhost/", "http://192.168.0.7:8000/", "https://localhost.example.org/"],
+  ];
+  assert.deepEqual([here.filter(isWarned), elsewhere.filter(isWarned)], [here, []]);
+});
+
 test("each slide of the class has its question, its answer on demand, and its page, which opens", () =>
   onPage(
     CALM,
@@ -155,6 +165,7 @@ test("each slide of the class has its question, its answer on demand, and its pa
         await page.keyboard.press("a");
         assert.equal(await page.innerText(".answer:visible"), answer);
         if (i === 1) assert.deepEqual(await violations(page), []);
+        assert.equal(await page.innerText("#guides"), "About PRM");
         await page.keyboard.press("ArrowRight");
       }
       assert.equal(await page.isDisabled("#next"), true);
@@ -180,8 +191,25 @@ test("each slide of the class has its question, its answer on demand, and its pa
       assert.equal(await live.getAttribute("#counters", "data-iterations"), left);
       assert.equal(await page.locator("iframe").count(), 3);
       await page.click("#previous");
+      // A link in an answer replaces the page of the slide, and returns to it as it was left.
+      const linked = classPlan().findIndex((row) => row.linked !== row.answer);
+      await page.evaluate((slide) => void (location.hash = `#${slide}`), linked + 1);
+      await page.waitForSelector(`#deck[data-slide="${linked + 1}"]`);
+      const shown = async () => await (await page.waitForSelector("iframe:not(.past)")).contentFrame();
+      const first = (await shown()) ?? assert.fail();
+      await page.keyboard.press("a");
+      const link = page.locator(".answer:visible a").first();
+      await link.click();
+      const second = (await shown()) ?? assert.fail();
+      await second.waitForSelector("body[data-phase=ready], body[data-phase=done]");
+      assert.equal(second.url(), url + (await link.getAttribute("href"))?.replace("#", "?embed=1#"));
+      assert.equal(await link.getAttribute("aria-current"), "page");
+      await link.click();
+      assert.equal(await shown(), first);
+      assert.equal(await link.getAttribute("aria-current"), null);
       await page.emulateMedia({ media: "print" });
       await page.waitForSelector("#answers li");
+      assert.match(await page.innerText("#deck .warning"), /do not work on a phone/);
       assert.equal(await page.locator(".answer:visible").count(), 0);
       assert.deepEqual(
         await page.locator("#answers li").allInnerTexts(),

@@ -4,7 +4,7 @@
  */
 import { ErrorInfo } from "../formats/rules.js";
 import { byId, counted, make } from "./dom.js";
-import { qrCode } from "./qr-code.js";
+import { codeWarning, qrCode } from "./qr-code.js";
 
 /** Characters of an address whose code can be read on paper. */
 const MOST = 1200;
@@ -61,7 +61,7 @@ export function printLink(save, encode) {
     const address = fragment ? `${page}#${fragment}` : page;
     const isCode = fragment !== "" && address.length <= MOST;
     const words = isCode
-      ? "The code is the link to what is shown."
+      ? `The code is the link to what is shown. ${codeWarning(location)}`
       : reason ||
         `The link to what is shown has ${counted(address.length, "character")}, too many for a code on paper: the button Link copies it.`;
     host.replaceChildren(

@@ -1,12 +1,16 @@
 /** Projector mode: a large stage, large text and bold lines. */
 import { byId, make } from "./dom.js";
 
-const CLASS = "projector";
+/** The class of the root. */
+export const PROJECTED = "projector";
 
 /** Whether projector mode is on. */
 export function isProjected() {
-  return document.documentElement.classList.contains(CLASS);
+  return document.documentElement.classList.contains(PROJECTED);
 }
+
+/** A frame keeps the lines that it was given: there Escape returns the focus. */
+const isFrame = () => document.documentElement.classList.contains("embed");
 
 export class Projector {
   /** @param {() => void} onChange */
@@ -30,14 +34,14 @@ export class Projector {
     );
     byId("tools", HTMLElement).append(this.button);
     addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);
+      if (event.key === "Escape" && !event.defaultPrevented && isProjected() && !isFrame()) this.turn(false);
     });
   }
 
   /** @param {boolean} on */
   turn(on) {
     if (on === isProjected()) return;
-    document.documentElement.classList.toggle(CLASS, on);
+    document.documentElement.classList.toggle(PROJECTED, on);
     this.button.ariaPressed = String(on);
     this.onChange();
   }

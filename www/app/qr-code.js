@@ -22,6 +22,14 @@ export function qrCode(text, title) {
   );
 }
 
+/** What paper says where a phone cannot open the codes of a page, or nothing. @param {URL | Location} page */
+export function codeWarning({ protocol, hostname }) {
+  const isHere = protocol === "file:" || /^(localhost|.+\.localhost|127\..+|\[::1\])$/.test(hostname);
+  return isHere
+    ? "This page was opened from this computer, so its codes do not work on a phone: print it from a web server."
+    : "";
+}
+
 /** How many black modules follow one another. @param {boolean[]} row @param {number} from */
 function runFrom(row, from) {
   const end = row.indexOf(false, from);

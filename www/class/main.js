@@ -2,25 +2,29 @@
  * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to the
  * first and the last, A shows the answer and Space plays. In the live page Page Up and Page Down, the keys of a remote
  * control, turn the slides as well; after Escape there all keys belong to the slides again. The fragment is the number
- * of the slide. The pages of the slides before stay as they were, so that one can go back to a run. On paper each
- * question has a code that opens its page, and the answers are on a separate sheet.
+ * of the slide. A link in an answer opens another page in the place of the slide's; pressed again, it returns to that.
+ * The pages that were shown last stay as they were, so that one can go back to a run. On paper each question has a
+ * code that opens its page, and the answers are on a separate sheet.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).
  */
 import { byId, make } from "../app/dom.js";
-import { qrCode } from "../app/qr-code.js";
+import { PROJECTED } from "../app/projector.js";
+import { codeWarning, qrCode } from "../app/qr-code.js";
 import { dress, themeOf, watchTheme } from "../app/theme.js";
 
 const deck = byId("deck", HTMLElement);
 const slides = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".slide")]);
 const [answer, previous, next] = ["answer", "previous", "next"].map((id) => byId(id, HTMLButtonElement));
 const own = byId("own", HTMLAnchorElement);
-/** The pages of the slides that were shown last, the latest at the end. @type {Map<number, HTMLIFrameElement>} */
+/** The pages that were shown last, by their addresses, the latest at the end. @type {Map<string, HTMLIFrameElement>} */
 const frames = new Map();
 /** How many of them stay: each has a core. */
 const KEPT = 3;
 let at = -1;
+/** The page that is shown: that of the slide, or one that its answer links to. */
+let shown = "";
 
 /** @param {boolean} isShown */
 function showAnswer(isShown) {
@@ -29,15 +33,15 @@ function showAnswer(isShown) {
   answer.ariaPressed = String(isShown);
 }
 
-/** Shows the page of the slide: as it was left, if it is among the latest. */
-function showPage() {
-  const { page = "" } = slides[at].dataset;
-  own.href = page;
+/** Shows a page: as it was left, if it is among the latest. @param {string} page */
+function showPage(page) {
+  shown = own.href = page;
+  for (const link of linksOf(slides[at])) link.ariaCurrent = link.getAttribute("href") === page ? "page" : null;
   for (const frame of frames.values()) if (!frame.classList.contains("past")) leave(frame);
-  const frame = frames.get(at) ?? load();
+  const frame = frames.get(page) ?? load(page);
   frame.classList.remove("past");
-  frames.delete(at);
-  frames.set(at, frame);
+  frames.delete(page);
+  frames.set(page, frame);
   const [[oldest, its]] = frames;
   if (frames.size > KEPT) {
     its.remove();
@@ -45,6 +49,9 @@ function showPage() {
   }
   showSettled();
 }
+
+/** The links of an answer. @param {HTMLElement} slide @returns {NodeListOf<HTMLAnchorElement>} */
+const linksOf = (slide) => slide.querySelectorAll(".answer a");
 
 /** Pauses a page and hides it; the keys belong to the slides again. @param {HTMLIFrameElement} frame */
 function leave(frame) {
@@ -57,18 +64,20 @@ function leave(frame) {
   frame.classList.add("past");
 }
 
-/** Gives a page the theme of the slides. @param {HTMLIFrameElement} frame */
+/** Gives a page the theme of the slides, and the words and lines of a projector. @param {HTMLIFrameElement} frame */
 function follow({ contentDocument: inside }) {
-  if (inside) dress(inside, themeOf(document));
+  if (!inside) return;
+  inside.documentElement.classList.add(PROJECTED);
+  dress(inside, themeOf(document));
 }
 
 function showSettled() {
-  document.body.dataset.settled = frames.get(at)?.dataset.loaded ?? "false";
+  document.body.dataset.settled = frames.get(shown)?.dataset.loaded ?? "false";
 }
 
-/** A new frame adds nothing to the history. */
-function load() {
-  const { page = "", title = "" } = slides[at].dataset;
+/** A new frame adds nothing to the history. @param {string} page */
+function load(page) {
+  const { title = "" } = slides[at].dataset;
   const frame = Object.assign(document.createElement("iframe"), { title });
   frame.addEventListener("load", () => {
     frame.contentWindow?.addEventListener("keydown", (event) => {
@@ -95,7 +104,9 @@ function turnTo(index) {
     slide.hidden = i !== at;
   });
   showAnswer(false);
-  showPage();
+  showPage(slides[at].dataset.page ?? "");
+  const [guides] = slides[at].getElementsByClassName("guides");
+  byId("guides", HTMLElement).replaceChildren(...guides.cloneNode(true).childNodes);
   previous.disabled = at === 0;
   next.disabled = at === slides.length - 1;
   byId("at", HTMLElement).textContent = `${at + 1} of ${slides.length}`;
@@ -142,10 +153,18 @@ function prepareSheets() {
   const texts = slides.map((slide) => slide.querySelector(".answer")?.textContent ?? "");
   const list = make("ol", {}, ...texts.map((text) => make("li", {}, text)));
   deck.append(make("section", { id: "answers" }, make("h2", {}, "Answers"), list));
+  slides[0].before(make("p", { className: "warning" }, codeWarning(location)));
 }
 
 const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);
 
+for (const link of slides.flatMap((slide) => [...linksOf(slide)]))
+  link.addEventListener("click", (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    showPage(link.ariaCurrent ? (slides[at].dataset.page ?? "") : (link.getAttribute("href") ?? ""));
+    if (event.detail > 0) deck.focus({ preventScroll: true });
+  });
 watchTheme(() => frames.forEach(follow));
 answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true"));
 previous.addEventListener("click", () => turnTo(at - 1));
@@ -160,7 +179,7 @@ addEventListener("keydown", (event) => {
   if (key === "a" || key === "A") answer.click();
   else if (key === " " && !(target instanceof HTMLButtonElement)) {
     event.preventDefault();
-    toggle(/** @type {HTMLIFrameElement} */ (frames.get(at)));
+    toggle(/** @type {HTMLIFrameElement} */ (frames.get(shown)));
   } else turnBy(event);
 });
 addEventListener("beforeprint", prepareSheets);

@@ -57,24 +57,31 @@ function roomiest(coordinate) {
   return (stops[at] + stops[at + 1]) / 2;
 }
 
+/** The least part of an axis between two marks. */
+const APART = 0.12;
+
 /**
- * Multiples of a quarter or half turn within a range of angles; of lengths, both ends and the middle where it is round.
+ * Marks of a coordinate. Angles: multiples of a half turn, of a turn where there are many, and the limits of a joint
+ * that are not near one of them. Lengths: both ends and the middle.
  * @param {Coordinate} coordinate
  */
 export function ticks({ low, high, unit: measure }) {
-  if (measure === "m")
-    return [low, (low + high) / 2, high].map((value) => ({
-      value,
-      text: Number(value.toPrecision(3)).toString().replace("-", "\u2212"),
-    }));
+  const number = (/** @type {number} */ value) => ({
+    value,
+    text: Number(value.toPrecision(3)).toString().replace("-", "\u2212"),
+  });
+  if (measure === "m") return [low, (low + high) / 2, high].map(number);
   const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
   const first = Math.ceil(low / unit - 1e-9);
-  return Array.from({ length: Math.floor(high / unit + 1e-9) - first + 1 }, (_, i) => {
+  const turns = Array.from({ length: Math.floor(high / unit + 1e-9) - first + 1 }, (_, i) => {
     const value = (first + i) * unit;
-    const turns = value / Math.PI;
+    const count = value / Math.PI;
     return {
       value,
-      text: turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0`,
+      text: count === 0 ? "0" : `${count < 0 ? "\u2212" : ""}${Math.abs(count) === 1 ? "" : Math.abs(count)}\u03c0`,
     };
   });
+  const isFree = (/** @type {number} */ end) =>
+    turns.every(({ value }) => Math.abs(value - end) > APART * (high - low));
+  return [...(isFree(low) ? [number(low)] : []), ...turns, ...(isFree(high) ? [number(high)] : [])];
 }

@@ -2,7 +2,7 @@
 import DefaultTheme from "vitepress/theme-without-fonts";
 import { useData, withBase } from "vitepress";
 import { defineComponent, h, ref, watch } from "vue";
-import { qrCode } from "../../../www/app/qr-code.js";
+import { codeWarning, qrCode } from "../../../www/app/qr-code.js";
 import { dress } from "../../../www/app/theme.js";
 import "./style.css";
 
@@ -66,6 +66,12 @@ function drawCodes() {
     code.classList.add("code");
     task?.prepend(code);
   }
+  const first = document.querySelector(".codes h1:not(:has(+ .code-warning))");
+  const warning = Object.assign(document.createElement("p"), {
+    className: "code-warning",
+    textContent: codeWarning(location),
+  });
+  if (warning.textContent) first?.after(warning);
 }
 
 export default {

@@ -327,6 +327,48 @@ fn a_tight_start_can_be_left_with_a_fitted_tolerance() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn long_motions_among_many_obstacles_are_halved_first_with_the_same_verdict() {
+    let mut random = Random::new(8, Stream::Samples);
+    let (mut accepted, mut refused) = ([0; 2], [0; 2]);
+    for _ in 0..seeds(10) {
+        let place = |i: usize| (1.0 + 2.0 * (i % 12) as f64, 1.0 + 2.0 * (i / 12) as f64);
+        let mut stone = |i: usize| {
+            let ((x, y), size) = (place(i), 0.1 + 0.3 * random.uniform());
+            let center = p(x + 0.4 * random.uniform(), y + 0.4 * random.uniform());
+            match i % 3 {
+                0 => Obstacle::Disc(Disc { center, radius: size }),
+                1 => Polygon::new(&round(center, size, 6, size)).expect("a polygon").into(),
+                _ => Polygon::new(&star(center, size, 5, size)).expect("a star").into(),
+            }
+        };
+        let world = world([0.0; 2], [24.0; 2], (0..144).map(&mut stone).collect());
+        let body = rectangle([-0.15, -0.05], [0.15, 0.05]);
+        let collision = BodyCollision::new(&body, &world, FRACTION);
+        for i in 0..400 {
+            let from = [24.0 * random.uniform(), 24.0 * random.uniform(), TAU * random.uniform()];
+            let (length, turn) = (12.0 * random.uniform().powi(2), TAU * random.uniform());
+            let (sin, cos) = libm::sincos(if i % 4 < 2 { turn } else { FRAC_PI_2 * f64::from(i % 4) });
+            let is_arc = i % 2;
+            let motion = match is_arc {
+                0 => straight(from, [from[0] + length * cos, from[1] + length * sin, from[2] + sin]),
+                _ => arc(from, length, sin, 1.0),
+            };
+            let (fast, slow) = (collision.is_motion_free(&motion), collision.first_hit_by_distances(&motion).is_none());
+            // The first hit is sought without halving first.
+            assert_eq!(fast, collision.first_hit(&motion).is_none(), "{motion:?}");
+            assert!(fast || !slow, "refused, though distances prove it free: {motion:?}");
+            let touches = |i: i32| !collision.contacts(&motion.at(f64::from(i) / 200.0)).is_empty();
+            assert!(!fast || !(0..=200).any(touches), "{motion:?} touches");
+            if length > 5.0 {
+                [&mut refused, &mut accepted][usize::from(fast)][is_arc as usize] += 1;
+            }
+        }
+    }
+    let counts = [accepted, refused].concat();
+    assert!(counts.iter().all(|&count| count > seeds(10) / 10 * 20), "{counts:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_motion_that_leads_nowhere_is_its_placement() {
     let mut random = Random::new(4, Stream::Samples);
     let mut counts = [0, 0];

@@ -136,7 +136,7 @@ impl<const N: usize> ArmValidity<N> {
         }
         let prover = &mut *self.prover.borrow_mut();
         let state = prover.moving.begin(from, delta);
-        prover.first_unproven(&self.scene, state, order)
+        prover.first_unproven(&self.scene, state, order, 0)
     }
 
     /// Whether a straight motion by `delta` is proven free, also off by any part of `aside`, forward or back.

@@ -16,6 +16,13 @@ const LARGEST_ANGLE: f64 = 1e4;
 /// The largest turn of a straight motion, in radians, that proofs cover: more than once around.
 const LARGEST_TURN: f64 = 7.0;
 
+/// Among more obstacles than this a long motion is halved before it is tested, until its parts are no longer than so many
+/// times the reach of the body.
+const FEW: usize = 64;
+const SHORT: f64 = 16.0;
+/// How often, at most.
+const MOST_HALVINGS: f64 = 8.0;
+
 /// A motion longer than this many times the scale leaves every world of that scale: straight, or along one turn of an
 /// arc. Half a turn is no wider than the diagonal, 2 sqrt(2) scales, so the whole arc no longer than 2 sqrt(2) pi.
 const LONGEST_PATH: f64 = 9.0;
@@ -74,7 +81,7 @@ impl BodyCollision {
     /// placement.
     #[must_use]
     pub fn fitted(mut self, start: &[f64; 3], goal: &[f64; 3]) -> Self {
-        let clearances = [start, goal].map(|q| self.clearance(q));
+        let clearances = [start, goal].map(|q| self.clearance_within(q, 2.0 * self.scene.tolerance.tau));
         let depths = [start, goal].map(|q| self.depth(q));
         self.scene.tolerance = self.scene.tolerance.fitted(clearances, depths);
         self
@@ -125,6 +132,18 @@ impl BodyCollision {
         let placed = self.body.placed(*q);
         let nearer = |least: f64, i: usize| least.min(self.obstacles.distance_from(&placed, i, least));
         (0..self.obstacles.len()).fold(f64::INFINITY, nearer) - self.margin
+    }
+
+    /// The same if it is less than `most`; else that distance or infinity. O(vertices of the body + log(obstacles)), and more for
+    /// those that are near.
+    fn clearance_within(&self, q: &[f64; 3], most: f64) -> f64 {
+        let placed = self.body.placed(*q);
+        let mut least = f64::INFINITY;
+        self.obstacles.any_near(&placed.aabb().grown(most + self.margin), |i| {
+            least = least.min(self.obstacles.distance_from(&placed, i, least));
+            false
+        });
+        least - self.margin
     }
 
     /// The depth of the body at `q` within the bounds, in metres: negative if it is not wholly inside.
@@ -211,9 +230,19 @@ impl BodyCollision {
         if self.is_inside(motion.from()) {
             return Some(0.0);
         }
+        let halvings = if order == Order::MiddleFirst { self.halvings(&motion) } else { 0 };
         let prover = &mut *self.prover();
         prover.moving.begin(&motion);
-        prover.first_unproven(&self.scene, (), order).map(|hit| hit * fraction)
+        prover.first_unproven(&self.scene, (), order, halvings).map(|hit| hit * fraction)
+    }
+
+    /// How often a motion is halved before it is tested.
+    fn halvings(&self, motion: &BodyMotion) -> u32 {
+        if self.scene.obstacles.len() <= FEW {
+            return 0;
+        }
+        let parts = motion.extent().0 / (SHORT * self.body.reach());
+        libm::log2(parts.max(1.0)).ceil().min(MOST_HALVINGS) as u32
     }
 
     /// The part of the motion that decides about all of it, and its fraction of the motion; `None` if proofs do not cover it.

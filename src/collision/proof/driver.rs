@@ -94,6 +94,16 @@ pub(in crate::collision) struct Interval {
 impl Interval {
     /// The whole motion.
     const WHOLE: Self = Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), lane: 0, is_refused: false };
+
+    /// The parts of the motion that halving it so often leads to, each far from the one before (van der Corput 1935,
+    /// "Verteilungsfunktionen").
+    fn parts(level: u32) -> impl Iterator<Item = Self> {
+        let half = 0.5 / f64::from(1u32 << level);
+        (0..1u32 << level).map(move |i| {
+            let at = if level == 0 { 0 } else { i.reverse_bits() >> (32 - level) };
+            Self { middle: f64::from(2 * at + 1) * half, half, level: level as usize, ..Self::WHOLE }
+        })
+    }
 }
 
 /// A part and an obstacle not yet known to be apart on some half of an interval.
@@ -136,18 +146,21 @@ impl<M: Moving> Prover<M> {
     /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None` if all of
     /// the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven free, and of a
     /// motion of steps only the step of the result is that of the first interval. `state` is the state in the middle of the whole
-    /// motion.
+    /// motion. If any hit refuses the motion, `halvings` may be above 0 where a state is nothing: so often the motion is halved
+    /// before anything is tested, since a long one is near many obstacles, of which each part meets few.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
-    pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
+    pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order, halvings: u32) -> Option<f64> {
         self.pairs.clear();
         self.intervals.clear();
         self.states.clear();
         let mut proof = Proof { scene, order, searches: false, open: 0, refused: 0, prover: self };
-        let whole = Interval::WHOLE;
-        proof.test_all(&whole, &state);
-        if let Some(hit) = proof.continue_with_halves(&whole, 0) {
-            return Some(hit);
+        for part in Interval::parts(halvings) {
+            let first = proof.prover.pairs.len();
+            proof.test_all(&part, &state);
+            if let Some(hit) = proof.continue_with_halves(&part, first) {
+                return Some(hit);
+            }
         }
         let open = proof.prover.pairs.len();
         let (mut tests, mut budget) = (0, CLOSE_TESTS);
@@ -248,6 +261,7 @@ impl<M: Moving> Proof<'_, M> {
     /// Tests every part against everything near its swept box; lists what stays open.
     #[inline(always)]
     fn test_all(&mut self, whole: &Interval, state: &M::State) {
+        (self.open, self.refused) = (0, 0);
         let scene = self.scene;
         let parts = self.prover.moving.parts();
         self.prover.moving.place(whole, state, parts);

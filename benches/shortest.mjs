@@ -27,6 +27,7 @@ import { prepare } from "planarium/shortest";
 import { Problem, root, script } from "../scripts/run.mjs";
 import { integer, update } from "./peers/arguments.mjs";
 import { digits, quantile, table } from "./peers/report.mjs";
+import { generator } from "./peers/worlds.mjs";
 
 /** @typedef {[number, number]} Position */
 /** The corners of its border, then those of its holes. @typedef {Position[][]} Area */
@@ -69,18 +70,6 @@ const MAPS = /** @type {const} */ ([
 function processor() {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
-}
-
-/** Numbers from 0 to 1, the same for a seed (Steele, Lea and Flood 2014, SplitMix). @param {number} seed */
-function generator(seed) {
-  let state = BigInt(seed);
-  return () => {
-    state = BigInt.asUintN(64, state + 0x9e3779b97f4a7c15n);
-    let z = state;
-    z = BigInt.asUintN(64, (z ^ (z >> 30n)) * 0xbf58476d1ce4e5b9n);
-    z = BigInt.asUintN(64, (z ^ (z >> 27n)) * 0x94d049bb133111ebn);
-    return Number((z ^ (z >> 31n)) >> 11n) / 2 ** 53;
-  };
 }
 
 /**

@@ -14,6 +14,7 @@
  *   --write           updates the table in docs/benchmarks.md, or docs/worlds.md
  *   --files           measures the files of other people instead, beside OMPL: see worlds/files.mjs
  *   --seeds N         seeds of each of their planners (5)
+ *   --json FILE       writes the medians of those planners
  *
  * PLANARIUM_WORLDS names a folder with `movingai/*.map`, `ros/*.yaml`, `ompl/circle_*.txt` and `tpcap/*.csv`,
  * PLANARIUM_SCENARIOS one with scenarios; without them, the worlds are generated ones. A query counts if there is a
@@ -74,6 +75,7 @@ await script(async () => {
       write: { type: "boolean", default: false },
       files: { type: "boolean", default: false },
       seeds: { type: "string", default: "5" },
+      json: { type: "string" },
     },
   });
   const [queries, first, jobs, seconds] = [
@@ -84,17 +86,25 @@ await script(async () => {
   ];
   const binary = given.binary ?? build();
   const folder = mkdtempSync(join(tmpdir(), "planarium-worlds-"));
+  const settings = given.set.map((setting) => /** @type {[string, string]} */ (setting.split("=")));
+  const parametersOf = (/** @type {string[]} */ options) =>
+    Object.fromEntries(
+      settings.filter(([name]) => options.includes(name)).map(([name, value]) => [name, value_of(value)]),
+    );
   try {
     const groups = given.groups?.split(",");
     if (given.files) {
-      const text = await measureFiles(serve(binary), {
+      const { text, cells } = await measureFiles(serve(binary), {
         folder,
         seconds,
         seeds: integer("seeds", given.seeds, 1),
-        planners: planned(given.only?.split(",")).filter(({ id }) => id !== "default"),
+        planners: planned(given.only?.split(","))
+          .filter(({ id }) => id !== "default")
+          .map(({ id, robots, options }) => ({ id, robots, parameters: parametersOf(options) })),
         only: groups,
       });
       console.log(text);
+      if (given.json !== undefined) writeFileSync(given.json, JSON.stringify(cells));
       if (given.write) update("files", `${text}\n`, "worlds.md");
       return;
     }
@@ -102,7 +112,6 @@ await script(async () => {
       (task) => groups?.includes(task.group) ?? true,
     );
     const planners = planned(given.only?.split(","));
-    const settings = given.set.map((setting) => /** @type {[string, string]} */ (setting.split("=")));
     /** @type {Row[]} */
     const rows = [];
     const pending = tasks.flatMap((task) => [
@@ -119,9 +128,7 @@ await script(async () => {
             defaults: id === "default",
             seed: 1,
             seconds,
-            parameters: Object.fromEntries(
-              settings.filter(([name]) => options.includes(name)).map(([name, value]) => [name, value_of(value)]),
-            ),
+            parameters: parametersOf(options),
           },
         })),
     ]);

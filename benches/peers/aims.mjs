@@ -73,7 +73,31 @@ export const aims = [
     most: 1,
   },
   { name: "BIT* on city maps, Node, ms", rows: /^Map/, figure: "planarium, bit-star, Node, ms", most: 8 },
+  ...["disc", "rigid_body"].map((robot) => ({
+    name: `first path on city maps, native, ${robot}`,
+    rows: /^First path on a map/,
+    figure: `OMPL on cells / native, ${robot}`,
+    least: 3,
+  })),
+  ...["box", "torus"].map((space) => ({
+    name: `nearest in a ${space} of three dimensions, time over kiddo's`,
+    rows: /^Neighbours/,
+    figure: `kd-tree / kiddo, query, ${space}, 3 dimensions`,
+    most: 1,
+  })),
   { name: "200 discs in an open hall, native, ms", rows: /^A plan for 200/, figure: "native, ms", most: 5000 },
+  {
+    name: "100 discs on a map of 32 x 32 squares, % planned",
+    rows: /^A plan for 100/,
+    figure: "plans found, %",
+    least: 100,
+  },
+  {
+    name: "shortest path of a point, native, time over polyanya's",
+    rows: /^Shortest paths/,
+    figure: "native / polyanya, median query",
+    most: 3,
+  },
   {
     name: "200 discs, the longest iteration, Node, ms",
     rows: /^A plan for 200/,

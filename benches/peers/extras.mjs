@@ -1,10 +1,10 @@
-/** The rows that compare with no peer: first answers, maps, fleets, new processes, memory, threads. */
+/** The rows that are no worlds of ours: first answers, maps, fleets, new processes, memory, neighbours, threads. */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
 import { placeOf } from "./aims.mjs";
 import { quantile, spread } from "./report.mjs";
-import { rows, writeWorlds } from "./worlds.mjs";
+import { rows, squares, writeWorlds } from "./worlds.mjs";
 
 /** @typedef {import("./report.mjs").Figure} Figure */
 /** @typedef {import("./sides.mjs").Side} Side */
@@ -42,10 +42,18 @@ export const extras = [
     side: /** @type {const} */ ("node"),
     measure: (/** @type {Setting} */ setting) => queriesOfMap(map, setting),
   })),
+  ...Object.entries({ Berlin_0_256: 256, NewYork_1_512: 512 }).map(([map, side]) => ({
+    name: `First path on a map, ${map}`,
+    side: /** @type {const} */ ("ompl"),
+    measure: (/** @type {Setting} */ setting) => firstPaths(map, side, setting),
+  })),
   { name: "A plan for 200 discs in an open hall", side: "node", measure: fleets },
+  { name: "A plan for 100 discs on a map of 32 x 32 squares", side: "native", measure: fleetsOnMaps },
+  { name: "Shortest paths of a point, ten maps", side: "native", measure: shortestPaths },
   { name: "First roadmap of a new process (4R, n = 1000)", side: "node", measure: coldStarts },
   { name: "Memory of the WebAssembly instance (4R, k = 10)", side: "node", measure: instance },
   { name: "Graph and index (4R, n = 1,000,000)", side: "native", measure: graphAndIndex },
+  { name: "Neighbours beside kiddo", side: "native", measure: neighbours },
   { name: "Two threads (k-PRM, batch, 4R, n = 10,000)", side: "native", measure: threads },
 ];
 
@@ -86,6 +94,61 @@ function queriesOfMap(map, { folder, isQuick }) {
 }
 
 /**
+ * First paths of a disc and of a body by RRT-Connect, for the longest query of a city map: ours, which are proven, and those of
+ * OMPL on the cells, as `npm run bench:worlds -- --files` measures them; with steps as long as OMPL's, and with ours.
+ * @param {string} map
+ * @param {number} side  of the map, metres
+ * @param {Setting} setting
+ */
+function firstPaths(map, side, { folder, isQuick }) {
+  if (process.env.PLANARIUM_WORLDS === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  const file = join(folder, `${map}-first.json`);
+  const shared = ["--files", "--groups", map, "--only", "rrt-connect", "--seeds", isQuick ? "3" : "25", "--json", file];
+  const measured = [["--set", `step=${0.2 * Math.hypot(side, side)}`], []].map((steps) => {
+    printedBy("worlds.mjs", [...shared, ...steps]);
+    return /** @type {import("../worlds/files.mjs").Measured[]} */ (JSON.parse(readFileSync(file, "utf8")));
+  });
+  return ["disc", "rigid_body"].flatMap((robot) => {
+    const of = (/** @type {number} */ run, /** @type {string} */ planner) => {
+      const found = measured[run].find((cell) => cell.robot === robot && cell.planner === planner);
+      if (!found) throw new Problem(`There are no paths of OMPL on ${map}.`);
+      return found;
+    };
+    const [ours, theirs, adapting] = [of(0, "rrt-connect"), of(0, "OMPL rrt-connect"), of(1, "rrt-connect")];
+    return [
+      figure(`native, ${robot}, ms`, 1e3 * ours.seconds),
+      figure(`native, steps that adapt, ${robot}, ms`, 1e3 * adapting.seconds),
+      figure(`OMPL on cells, ${robot}, ms`, 1e3 * theirs.seconds),
+      figure(`OMPL on cells, ${robot}, % of paths that are not free`, 100 * (1 - theirs.valid / theirs.solved)),
+      figure(`OMPL on cells / native, ${robot}`, theirs.seconds / ours.seconds),
+      figure(
+        `OMPL on cells / native, steps that adapt, ${robot}`,
+        of(1, "OMPL rrt-connect").seconds / adapting.seconds,
+      ),
+    ];
+  });
+}
+
+/** The times of the kd-tree over those of kiddo, for several numbers of states; of queries, for one neighbour and for ten. */
+function neighbours() {
+  const lines = inCargo(["--bench", "nearest", "--", "kiddo"]).split("\n");
+  const rows = lines.map((line) => line.split("|").map((cell) => cell.trim())).filter(([, , n]) => /^[\d,]+$/.test(n));
+  if (rows.length === 0) throw new Problem("`cargo bench --bench nearest -- kiddo` prints no rows.");
+  return [...new Set(rows.map(([, space]) => space))].flatMap((space) => {
+    const own = rows.filter(([, name]) => name === space);
+    const ratios = (/** @type {number} */ ours) =>
+      own.flatMap((cells) => {
+        const [mine, others] = [cells[ours], cells[ours + 1]].map((cell) => cell.split(", ").map(Number));
+        return mine.map((time, i) => time / others[i]);
+      });
+    return [
+      figure(`kd-tree / kiddo, insertion, ${space}`, ...ratios(3)),
+      figure(`kd-tree / kiddo, query, ${space}`, ...ratios(5)),
+    ];
+  });
+}
+
+/**
  * Discs that cross halls, 4 m² for each: the times of three seeds, and the longest iteration of all. A small hall warms
  * the sides up.
  * @param {Setting} setting
@@ -107,6 +170,39 @@ async function fleets({ native, node, Fleet, folder, isQuick }) {
     longest = Math.max(longest, await milliseconds(node, `${file} longest ${seed} 1`));
   }
   return [...compared(times.slice(1)), figure("Node, ms of the longest iteration", longest)];
+}
+
+/** Discs of 0.3 m on three maps of squares of a metre, of which a fifth is blocked. @param {Setting} setting */
+async function fleetsOnMaps({ native, folder, isQuick }) {
+  const times = [];
+  for (let seed = 0; seed < 3; seed += 1) {
+    const file = join(folder, `squares-${seed}.json`);
+    writeFileSync(file, JSON.stringify(squares(seed, isQuick ? 20 : 100)));
+    times.push(await milliseconds(native, `${file} fleet ${seed} 1`));
+  }
+  const solved = times.filter(Number.isFinite);
+  return [figure("plans found, %", (100 * solved.length) / times.length), figure("native, ms", ...solved)];
+}
+
+/** The exact shortest paths beside the crate polyanya, whose program compares their lengths. */
+function shortestPaths() {
+  const { PLANARIUM_WORLDS: worlds } = process.env;
+  const maps =
+    worlds === undefined ? [] : ["Berlin_0_256", "NewYork_1_512"].map((map) => `${worlds}/movingai/${map}.map`);
+  const manifest = join(root, "benches", "peers", "polyanya", "Cargo.toml");
+  const target = join(root, "target", "peers", "polyanya");
+  const options = ["--release", "--locked", "--quiet", "--manifest-path", manifest, "--target-dir", target];
+  const printed = ask("cargo", ["run", ...options, "--", ...maps]);
+  const times = Array.from(
+    (printed ?? "").matchAll(/query ([\d.]+) ms \(at most ([\d.]+)\).* polyanya ([\d.]+) ms \(([\d.]+)\)$/gm),
+    (found) => found.slice(1).map(Number),
+  );
+  if (times.length === 0) throw new Problem("The program of benches/peers/polyanya failed.");
+  return [
+    figure("native, ms", ...times.map(([ours]) => ours)),
+    figure("native / polyanya, median query", ...times.map(([ours, , others]) => ours / others)),
+    figure("native / polyanya, longest query", ...times.map(([, ours, , others]) => ours / others)),
+  ];
 }
 
 /**

@@ -33,6 +33,18 @@ export const rows = [
   row("sst", "clutter", { robot: "car", count: 8, smallest: 0.12, largest: 0.26 }, "car in clutter", 0),
 ];
 
+/** Numbers from 0 to 1, the same for a seed (Steele, Lea and Flood 2014, SplitMix). @param {number} seed */
+export function generator(seed) {
+  let state = BigInt(seed);
+  return () => {
+    state = BigInt.asUintN(64, state + 0x9e3779b97f4a7c15n);
+    let z = state;
+    z = BigInt.asUintN(64, (z ^ (z >> 30n)) * 0xbf58476d1ce4e5b9n);
+    z = BigInt.asUintN(64, (z ^ (z >> 27n)) * 0x94d049bb133111ebn);
+    return Number((z ^ (z >> 31n)) >> 11n) / 2 ** 53;
+  };
+}
+
 /** The number of samples in a report's roadmap for an arm of this many links. @param {number} links */
 export const samples = (links) => 300 * links - 200;
 
@@ -125,4 +137,70 @@ function counterClockwise(corners) {
   if (turns.every((turn) => turn > 0)) return corners;
   if (turns.every((turn) => turn < 0)) return corners.toReversed();
   throw new Error("the peers know convex polygons only");
+}
+
+/**
+ * A fleet on 32 x 32 squares: starts and goals are middles of squares that discs reach from each other.
+ * @param {number} seed @param {number} count
+ */
+export function squares(seed, count) {
+  const side = 32;
+  const random = generator(seed);
+  const blocked = Array.from({ length: side * side }, () => random() < 0.2);
+  const place = (/** @type {number} */ square) => [square % side, Math.floor(square / side)];
+  const near = (/** @type {number} */ square) => {
+    const [x, y] = place(square);
+    const sides = [
+      x > 0 && square - 1,
+      x < side - 1 && square + 1,
+      y > 0 && square - side,
+      y < side - 1 && square + side,
+    ];
+    return sides.filter((other) => other !== false && !blocked[other]);
+  };
+  /** @type {number[]} */
+  let largest = [];
+  const seen = new Set();
+  for (const first of blocked.keys()) {
+    if (blocked[first] || seen.has(first)) continue;
+    const part = [first];
+    seen.add(first);
+    for (const square of part)
+      for (const other of /** @type {number[]} */ (near(square)).filter((next) => !seen.has(next))) {
+        part.push(other);
+        seen.add(other);
+      }
+    if (part.length > largest.length) largest = part;
+  }
+  const [starts, goals] = [0, 1].map(() => {
+    const left = [...largest];
+    return Array.from({ length: count }, () => left.splice(Math.floor(random() * left.length), 1)[0]);
+  });
+  const middle = (/** @type {number} */ square) => place(square).map((x) => x + 0.5);
+  return {
+    format: "planarium-fleet-1",
+    name: `squares-${count}-${seed}`,
+    world: {
+      bounds: { min: [0, 0], max: [side, side] },
+      obstacles: [...blocked.keys()]
+        .filter((square) => blocked[square])
+        .map((square) => {
+          const [x, y] = place(square);
+          const vertices = [
+            [x, y],
+            [x + 1, y],
+            [x + 1, y + 1],
+            [x, y + 1],
+          ];
+          return { type: "polygon", vertices };
+        }),
+    },
+    robots: starts.map((start, i) => ({
+      name: String(i + 1),
+      robot: { type: "disc", radius: 0.3 },
+      speed: 1,
+      start: middle(start),
+      goal: middle(goals[i]),
+    })),
+  };
 }

@@ -15,9 +15,15 @@ import { withPicture } from "./convert.mjs";
 /** @typedef {import("./convert.mjs").Reading} Reading */
 /** @typedef {import("./convert.mjs").Grid} Grid */
 /** @typedef {{ ask(job: object): Promise<any>, end(): void }} Ours */
-/** @typedef {{ id: string, robots: string[] }} Planner */
+/** @typedef {{ id: string, robots: string[], parameters: object }} Planner */
 /** @typedef {{ name: string, files: string[], robot?: object, words: string, options?: object }} Entry */
 /** @typedef {{ times: number[], valid: number, solved: number, runs: number }} Cell */
+
+/**
+ * A planner in a world: the median of its times in seconds, Infinity for most without a path; and how many of the paths that
+ * it found are free.
+ * @typedef {{ name: string, robot: string, planner: string, seconds: number, solved: number, valid: number }} Measured
+ */
 
 /** The planners of OMPL that run beside ours of the same id. */
 const PEERS = ["rrt-connect", "rrt", "prm", "bit-star"];
@@ -28,12 +34,14 @@ const READS = 5;
 /**
  * @param {Ours} ours
  * @param {{ folder: string, seconds: number, seeds: number, planners: Planner[], only: string[] | undefined }} options
- * @returns {Promise<string>} the tables
+ * @returns {Promise<{ text: string, cells: Measured[] }>} the tables, and what is in their cells
  */
 export async function measureFiles(ours, { folder, seconds, seeds, planners, only }) {
   const { PLANARIUM_WORLDS: worlds } = process.env;
   if (worlds === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with files.");
   const peer = await startGridSide();
+  /** @type {Measured[]} */
+  const measured = [];
   /** @type {Map<string, string[][]>} */
   const tables = new Map();
   const entries = entriesOf(worlds, folder).filter(({ name }) => only?.some((text) => name.includes(text)) ?? true);
@@ -67,9 +75,9 @@ export async function measureFiles(ours, { folder, seconds, seeds, planners, onl
       return runs - solved > seeds / 2;
     };
     for (let seed = 1; query && seed <= seeds; seed += 1) {
-      for (const { id } of serving) {
+      for (const { id, parameters } of serving) {
         if (!isHopeless(id)) {
-          const reply = await ours.ask({ file, query: query.name, planner: id, seed, seconds });
+          const reply = await ours.ask({ file, query: query.name, planner: id, seed, seconds, parameters });
           if (reply.error !== undefined) throw new Problem(`${entry.name}, ${id}: ${reply.error}`);
           if (reply.status === "solved" && !reply.valid)
             throw new Problem(`${entry.name}, ${id}: the path is not valid`);
@@ -87,6 +95,10 @@ export async function measureFiles(ours, { folder, seconds, seeds, planners, onl
         if (verdict.error !== undefined) throw new Problem(`${entry.name}, ${other}: ${verdict.error}`);
         note(cellOf(other), isSolved ? reply.seconds : null, verdict.why === null);
       }
+    }
+    for (const [planner, cell] of found) {
+      const { solved, valid } = cell;
+      measured.push({ name: entry.name, robot: kind, planner, seconds: medianOf(cell, seeds), solved, valid });
     }
     const times = [...found].map(([key, cell]) => `${key} ${cellText(cell, seeds, true)}`);
     console.error(`bench: ${times.join(", ")}`);
@@ -114,7 +126,7 @@ export async function measureFiles(ours, { folder, seconds, seeds, planners, onl
   peer?.stop();
   const title = `${peer ? `${peer.title}; ` : ""}medians of ${seeds} seeds in milliseconds, of ${READS} readings; – is none within ${seconds} s.`;
   const text = [...tables.values()].map((rows) => rows.map((row) => `| ${row.join(" | ")} |`).join("\n"));
-  return [title, ...text].join("\n\n");
+  return { text: [title, ...text].join("\n\n"), cells: measured };
 }
 
 /** @param {Cell} cell @param {number | null} seconds @param {boolean} isValid */
@@ -125,15 +137,19 @@ function note(cell, seconds, isValid) {
   cell.times.push(seconds ?? Infinity);
 }
 
+/** Runs that were left out count as none that found a path. @param {Cell} cell @param {number} seeds */
+function medianOf({ times }, seeds) {
+  return quantile([...times, ...Array.from({ length: seeds - times.length }, () => Infinity)], 0.5);
+}
+
 /**
  * The median of the times; behind it, of how many paths a verifier refuses some.
  * @param {Cell | undefined} cell @param {number} seeds @param {boolean} isPeer
  */
 function cellText(cell, seeds, isPeer) {
   if (cell === undefined) return isPeer ? "" : "–";
-  const { times, solved, valid } = cell;
-  const all = [...times, ...Array.from({ length: seeds - times.length }, () => Infinity)];
-  const median = quantile(all, 0.5);
+  const { solved, valid } = cell;
+  const median = medianOf(cell, seeds);
   if (!Number.isFinite(median)) return "–";
   return `${milliseconds(median)}${valid < solved ? `, ${solved - valid} of ${solved} not free` : ""}`;
 }

@@ -1,10 +1,10 @@
 /**
  * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to the
- * first and the last, A shows the answer and Space plays. In the live page Page Up and Page Down, the keys of a remote
- * control, turn the slides as well; after Escape there all keys belong to the slides again. The fragment is the number
- * of the slide. A link in an answer opens another page in the place of the slide's; pressed again, it returns to that.
- * The pages that were shown last stay as they were, so that one can go back to a run. On paper each question has a
- * code that opens its page, and the answers are on a separate sheet.
+ * first and the last, A shows the answer and Space plays. In the live page keys do the same, but for those that it uses
+ * itself; after Escape there all keys belong to the slides again. The fragment is the number of the slide. A link in an
+ * answer opens another page in the place of the slide's; pressed again, it returns to that. The pages that were shown
+ * last stay as they were, so that one can go back to a run. On paper each question has a code that opens its page, and
+ * the answers are on a separate sheet.
  *
  * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
  * loaded).
@@ -21,7 +21,7 @@ const own = byId("own", HTMLAnchorElement);
 /** The pages that were shown last, by their addresses, the latest at the end. @type {Map<string, HTMLIFrameElement>} */
 const frames = new Map();
 /** How many of them stay: each has a core. */
-const KEPT = 3;
+const KEPT = 4;
 let at = -1;
 /** The page that is shown: that of the slide, or one that its answer links to. */
 let shown = "";
@@ -31,6 +31,7 @@ function showAnswer(isShown) {
   const [text] = slides[at].getElementsByClassName("answer");
   /** @type {HTMLElement} */ (text).hidden = !isShown;
   answer.ariaPressed = String(isShown);
+  frames.forEach(follow);
 }
 
 /** Shows a page: as it was left, if it is among the latest. @param {string} page */
@@ -68,6 +69,8 @@ function leave(frame) {
 function follow({ contentDocument: inside }) {
   if (!inside) return;
   inside.documentElement.classList.add(PROJECTED);
+  // The sentence of a run that grows would answer the question.
+  inside.documentElement.dataset.quiet = String(answer.ariaPressed !== "true");
   dress(inside, themeOf(document));
 }
 
@@ -81,7 +84,7 @@ function load(page) {
   const frame = Object.assign(document.createElement("iframe"), { title });
   frame.addEventListener("load", () => {
     frame.contentWindow?.addEventListener("keydown", (event) => {
-      if (event.key.startsWith("Page") && !event.defaultPrevented) turnBy(event);
+      if (!event.defaultPrevented && !isTyped(event)) press(event);
     });
     const inside = /** @type {Document} */ (frame.contentDocument);
     new MutationObserver(() => begin(frame)).observe(inside, { subtree: true, attributeFilter: ["disabled"] });
@@ -112,6 +115,19 @@ function turnTo(index) {
   byId("at", HTMLElement).textContent = `${at + 1} of ${slides.length}`;
   deck.dataset.slide = String(at + 1);
   history.replaceState(null, "", `#${at + 1}`);
+}
+
+/** Whether a key belongs to the field or the slider that has the focus. @param {KeyboardEvent} event */
+function isTyped({ target, key }) {
+  return !key.startsWith("Page") && /** @type {Element} */ (target).matches("input, select, textarea, summary");
+}
+
+/** Shows the answer, or turns the slides, by a key. @param {KeyboardEvent} event */
+function press(event) {
+  const { key, ctrlKey, metaKey, altKey } = event;
+  if (ctrlKey || metaKey || altKey) return;
+  if (key === "a" || key === "A") answer.click();
+  else turnBy(event);
 }
 
 /** Turns the slides by a key. @param {KeyboardEvent} event */
@@ -175,12 +191,10 @@ for (const button of [answer, previous, next, byId("theme", HTMLButtonElement)])
 addEventListener("hashchange", open);
 addEventListener("keydown", (event) => {
   const { key, target, ctrlKey, metaKey, altKey } = event;
-  if (ctrlKey || metaKey || altKey) return;
-  if (key === "a" || key === "A") answer.click();
-  else if (key === " " && !(target instanceof HTMLButtonElement)) {
+  if (key === " " && !(ctrlKey || metaKey || altKey || target instanceof HTMLButtonElement)) {
     event.preventDefault();
     toggle(/** @type {HTMLIFrameElement} */ (frames.get(shown)));
-  } else turnBy(event);
+  } else press(event);
 });
 addEventListener("beforeprint", prepareSheets);
 matchMedia("print").addEventListener("change", prepareSheets);

@@ -22,8 +22,8 @@ const drawing = once(() => import("./draw.js"));
 
 /** The height of a chart: a part of the window's, or of the frame's, and of its own width, at most, and pixels, at least. */
 const TALL = { ofWindow: 0.605, ofWidth: 0.75, pixels: 300, least: 220 };
-/** Pixels below a chart that fills a screen. */
-const BELOW = 24;
+/** What is below a chart that fills a screen, in letters of the page. */
+const BELOW = 2;
 
 export class ChartView {
   /**
@@ -88,11 +88,14 @@ export class ChartView {
     const width = Math.max(280, Math.floor(host.clientWidth));
     // In a frame and on a projector it takes what is left of the screen.
     const isWhole = document.documentElement.matches(".embed, .projector");
-    const room = isWhole ? innerHeight - host.getBoundingClientRect().top - BELOW : TALL.ofWindow * innerHeight;
+    const letter = parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const room = isWhole
+      ? innerHeight - host.getBoundingClientRect().top - BELOW * letter
+      : TALL.ofWindow * innerHeight;
     const least = isWhole ? TALL.least : TALL.pixels;
     const height = Math.round(Math.max(least, Math.min(room, TALL.ofWidth * width)));
     // Letters are as large as the page's, and everything with them.
-    const zoom = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+    const zoom = letter / 16;
     const picture = chart && drawChart(chart, { width: width / zoom, height: height / zoom, isWhole, palette });
     if (picture) picture.style.width = `${width}px`;
     this.chart = chart;

@@ -43,8 +43,8 @@ export function showLegend(
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
   byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
-  byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
   const kinds = [...new Set(lanes.map(({ kind }) => kind))];
+  byId("legend-growth-row", HTMLElement).dataset.kind = kinds.find((kind) => kind === "trees") ?? kinds[0];
   write(
     byId("legend-growth", HTMLElement),
     kinds.filter((kind) => kind !== "tree" || !kinds.includes("trees")).join(", "),

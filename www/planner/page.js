@@ -246,7 +246,7 @@ export class Page {
     const { entry, record } = this;
     const isKept = !isOwn && entry && record.lanes[0].algorithm !== entry.algorithm;
     // A scene that is opened again keeps the current speed, and so does a planner.
-    const pace = entry && (entry === left || isKept) ? undefined : (entry?.pace ?? record.pace ?? PACE);
+    const pace = entry && (entry === left || isKept) ? undefined : (record.pace ?? entry?.pace ?? PACE);
     this.session.open(scenario, document, placed, pace);
     this.name = entry?.title ?? (scenario.title || scenario.name);
   }

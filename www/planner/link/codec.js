@@ -66,7 +66,7 @@ const experimentRule = withDefaults(
       projector: flag,
       lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
     }),
-    // Of the scene: what generates it, and, where it is none of the built-in ones, iterations a second.
+    // Of the scene: what generates it, and iterations a second, where they are not those of a built-in one.
     options: settings,
     pace: whole(1000, 1),
     // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys

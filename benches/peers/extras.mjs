@@ -58,7 +58,7 @@ export const extras = [
 ];
 
 /** @param {string} name @param {number[]} values @returns {Figure} */
-const figure = (name, ...values) => ({ name, value: spread(values) });
+const figure = (name, ...values) => ({ name, value: spread(values.filter(Number.isFinite)) });
 
 /**
  * The default planner with all around it. Both sides answer in turn; the first world warms them up.
@@ -187,8 +187,8 @@ async function fleetsOnMaps({ native, folder, isQuick }) {
 /** The exact shortest paths beside the crate polyanya, whose program compares their lengths. */
 function shortestPaths() {
   const { PLANARIUM_WORLDS: worlds } = process.env;
-  const maps =
-    worlds === undefined ? [] : ["Berlin_0_256", "NewYork_1_512"].map((map) => `${worlds}/movingai/${map}.map`);
+  if (worlds === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  const maps = ["Berlin_0_256", "NewYork_1_512"].map((map) => `${worlds}/movingai/${map}.map`);
   const manifest = join(root, "benches", "peers", "polyanya", "Cargo.toml");
   const target = join(root, "target", "peers", "polyanya");
   const options = ["--release", "--locked", "--quiet", "--manifest-path", manifest, "--target-dir", target];

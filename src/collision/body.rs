@@ -16,11 +16,11 @@ const LARGEST_ANGLE: f64 = 1e4;
 /// The largest turn of a straight motion, in radians, that proofs cover: more than once around.
 const LARGEST_TURN: f64 = 7.0;
 
-/// Among more obstacles than this a long motion is halved before it is tested, until its parts are no longer than so many
-/// times the reach of the body.
+/// Among more obstacles than this a long motion is halved before it is tested,
 const FEW: usize = 64;
+/// until its parts are no longer than this many times the reach of the body,
 const SHORT: f64 = 16.0;
-/// How often, at most.
+/// and at most this often.
 const MOST_HALVINGS: f64 = 8.0;
 
 /// A motion longer than this many times the scale leaves every world of that scale: straight, or along one turn of an

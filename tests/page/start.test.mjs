@@ -160,8 +160,9 @@ test("each slide of the class has its question, its answer on demand, and its pa
         assert.equal(await page.locator(".answer:visible").count(), 0);
         const frame = (await (await page.waitForSelector("iframe:not(.past)")).contentFrame()) ?? assert.fail();
         await frame.waitForSelector("body[data-settled=true]");
-        assert.equal(frame.url(), url + address.replace("#", "?embed=1#"));
+        assert.equal(frame.url(), url + address.replace("#", "?embed=1&projector=1#"));
         assert.equal(await frame.isHidden("#notice"), true, question);
+        assert.equal(await frame.evaluate(() => document.documentElement.className), "embed projector");
         await page.keyboard.press("a");
         assert.equal(await page.innerText(".answer:visible"), answer);
         if (i === 1) assert.deepEqual(await violations(page), []);
@@ -208,7 +209,7 @@ test("each slide of the class has its question, its answer on demand, and its pa
       await link.click();
       const second = (await shown()) ?? assert.fail();
       await second.waitForSelector("body[data-phase=ready], body[data-phase=done]");
-      assert.equal(second.url(), url + (await link.getAttribute("href"))?.replace("#", "?embed=1#"));
+      assert.equal(second.url(), url + (await link.getAttribute("href"))?.replace("#", "?embed=1&projector=1#"));
       assert.equal(await link.getAttribute("aria-current"), "page");
       await link.click();
       assert.equal(await shown(), first);

@@ -1,16 +1,15 @@
 /** Projector mode: a large stage, large text and bold lines. */
 import { byId, make } from "./dom.js";
 
-/** The class of the root. */
-export const PROJECTED = "projector";
+const CLASS = "projector";
+
+/** Whether the address of a frame asks for it, as that of a slide does: then it stays. */
+const isAsked = () => ["embed", "projector"].every((name) => new URLSearchParams(location.search).get(name) === "1");
 
 /** Whether projector mode is on. */
 export function isProjected() {
-  return document.documentElement.classList.contains(PROJECTED);
+  return document.documentElement.classList.contains(CLASS);
 }
-
-/** A frame keeps the lines that it was given: there Escape returns the focus. */
-const isFrame = () => document.documentElement.classList.contains("embed");
 
 export class Projector {
   /** @param {() => void} onChange */
@@ -33,15 +32,16 @@ export class Projector {
       "Projector",
     );
     byId("tools", HTMLElement).append(this.button);
+    document.documentElement.classList.toggle(CLASS, isAsked());
     addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && !event.defaultPrevented && isProjected() && !isFrame()) this.turn(false);
+      if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);
     });
   }
 
   /** @param {boolean} on */
   turn(on) {
-    if (on === isProjected()) return;
-    document.documentElement.classList.toggle(PROJECTED, on);
+    if (on === isProjected() || (!on && isAsked())) return;
+    document.documentElement.classList.toggle(CLASS, on);
     this.button.ariaPressed = String(on);
     this.onChange();
   }

@@ -1,7 +1,7 @@
 /**
  * The slides of a class: one question and one live page each. The arrow keys turn the slides, Home and End lead to the
  * first and the last, A shows the answer and Space plays. In the live page keys do the same, but for those that it uses
- * itself; after Escape there all keys belong to the slides again. The fragment is the number of the slide. A link in an
+ * itself, Space among them; after Escape there all keys belong to the slides again. The fragment is the number of the slide. A link in an
  * answer opens another page in the place of the slide's; pressed again, it returns to that. The pages that were shown
  * last stay as they were, so that one can go back to a run. On paper each question has a code that opens its page, and
  * the answers are on a separate sheet.
@@ -10,7 +10,6 @@
  * loaded).
  */
 import { byId, make } from "../app/dom.js";
-import { PROJECTED } from "../app/projector.js";
 import { codeWarning, qrCode } from "../app/qr-code.js";
 import { dress, themeOf, watchTheme } from "../app/theme.js";
 
@@ -39,7 +38,9 @@ function showPage(page) {
   shown = own.href = page;
   for (const link of linksOf(slides[at])) link.ariaCurrent = link.getAttribute("href") === page ? "page" : null;
   for (const frame of frames.values()) if (!frame.classList.contains("past")) leave(frame);
-  const frame = frames.get(page) ?? load(page);
+  const { title = "" } = slides[at].dataset;
+  const name = [...linksOf(slides[at])].find((link) => link.getAttribute("href") === page)?.textContent;
+  const frame = frames.get(page) ?? load(page, name ? `${title}: ${name}` : title);
   frame.classList.remove("past");
   frames.delete(page);
   frames.set(page, frame);
@@ -65,10 +66,9 @@ function leave(frame) {
   frame.classList.add("past");
 }
 
-/** Gives a page the theme of the slides, and the words and lines of a projector. @param {HTMLIFrameElement} frame */
+/** Gives a page the theme of the slides. @param {HTMLIFrameElement} frame */
 function follow({ contentDocument: inside }) {
   if (!inside) return;
-  inside.documentElement.classList.add(PROJECTED);
   // The sentence of a run that grows would answer the question.
   inside.documentElement.dataset.quiet = String(answer.ariaPressed !== "true");
   dress(inside, themeOf(document));
@@ -78,9 +78,8 @@ function showSettled() {
   document.body.dataset.settled = frames.get(shown)?.dataset.loaded ?? "false";
 }
 
-/** A new frame adds nothing to the history. @param {string} page */
-function load(page) {
-  const { title = "" } = slides[at].dataset;
+/** A new frame adds nothing to the history. @param {string} page @param {string} title */
+function load(page, title) {
   const frame = Object.assign(document.createElement("iframe"), { title });
   frame.addEventListener("load", () => {
     frame.contentWindow?.addEventListener("keydown", (event) => {
@@ -93,7 +92,7 @@ function load(page) {
     begin(frame);
     showSettled();
   });
-  frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
+  frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1&projector=1");
   byId("frame", HTMLElement).append(frame);
   return frame;
 }
@@ -169,7 +168,8 @@ function prepareSheets() {
   const texts = slides.map((slide) => slide.querySelector(".answer")?.textContent ?? "");
   const list = make("ol", {}, ...texts.map((text) => make("li", {}, text)));
   deck.append(make("section", { id: "answers" }, make("h2", {}, "Answers"), list));
-  slides[0].before(make("p", { className: "warning" }, codeWarning(location)));
+  const warning = codeWarning(location);
+  if (warning) slides[0].before(make("p", { className: "warning" }, warning));
 }
 
 const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);

@@ -20,7 +20,7 @@ const MOST_ROWS = 400;
 
 const drawing = once(() => import("./draw.js"));
 
-/** The height of a chart: a part of the window's, or of the frame's, and of its own width, at most, and pixels, at least. */
+/** The height of a chart: a part of the window's and of its own width, at most, and pixels, at least. */
 const TALL = { ofWindow: 0.605, ofWidth: 0.75, pixels: 300, least: 220 };
 /** What is below a chart that fills a screen, in letters of the page. */
 const BELOW = 2;
@@ -89,9 +89,8 @@ export class ChartView {
     // In a frame and on a projector it takes what is left of the screen.
     const isWhole = document.documentElement.matches(".embed, .projector");
     const letter = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const room = isWhole
-      ? innerHeight - host.getBoundingClientRect().top - BELOW * letter
-      : TALL.ofWindow * innerHeight;
+    const top = host.getBoundingClientRect().top + (host.closest(".stage-column")?.scrollTop ?? 0);
+    const room = isWhole ? innerHeight - top - BELOW * letter : TALL.ofWindow * innerHeight;
     const least = isWhole ? TALL.least : TALL.pixels;
     const height = Math.round(Math.max(least, Math.min(room, TALL.ofWidth * width)));
     // Letters are as large as the page's, and everything with them.

@@ -1,11 +1,11 @@
 //! The driver of the proof, for arms and bodies: the algorithm of the [module](super).
 //!
 //! **Budget.** Let l be the number of halvings until the bound on travel is below the tolerance, at most 48, and p the
-//! number of pairs open after the first interval. A motion that comes close to obstacles here and there leaves an
+//! number of pairs open after the first intervals. A motion that comes close to obstacles here and there leaves an
 //! interval or two open a pair and level, since clearance grows as fast as distance from the closest position: some 2 l p
 //! tests. One that slides along an obstacle at distance d leaves as many intervals open as third-order bounds need, about
-//! (travel/d)^(1/2). So a motion gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first interval, which are no
-//! more than parts times obstacles. A motion that needs more is refused as not proven, and counted in
+//! (travel/d)^(1/2). So a motion gets l (2 p + [`CLOSE_TESTS`]) tests after those of the first intervals, which are no
+//! more than parts times obstacles each. A motion that needs more is refused as not proven, and counted in
 //! [`Prover::unproven`]. The finest tolerance allows the most halvings, so it also proves every motion that a coarser
 //! one proves within its budget.
 
@@ -95,7 +95,7 @@ impl Interval {
     /// The whole motion.
     const WHOLE: Self = Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), lane: 0, is_refused: false };
 
-    /// The parts of the motion that halving it so often leads to, each far from the one before (van der Corput 1935,
+    /// The parts of the motion after this many halvings, each far from the one before (van der Corput 1935,
     /// "Verteilungsfunktionen").
     fn parts(level: u32) -> impl Iterator<Item = Self> {
         let half = 0.5 / f64::from(1u32 << level);
@@ -146,7 +146,7 @@ impl<M: Moving> Prover<M> {
     /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None` if all of
     /// the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven free, and of a
     /// motion of steps only the step of the result is that of the first interval. `state` is the state in the middle of the whole
-    /// motion. If any hit refuses the motion, `halvings` may be above 0 where a state is nothing: so often the motion is halved
+    /// motion. If any hit refuses the motion, `halvings` may be above 0 where a state is nothing: the motion is halved that often
     /// before anything is tested, since a long one is near many obstacles, of which each part meets few.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]

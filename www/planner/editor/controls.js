@@ -111,7 +111,7 @@ export class EditorControls {
       if (this.editor.isReopening) return;
       const { scene, options, document, pace } = page.record;
       this.original = { scene, options, document, pace };
-      this.pace = page.entry?.pace ?? pace;
+      this.pace = pace ?? page.entry?.pace;
     });
     page.onState(({ isEditing }) => {
       if (isEditing) this.show(this.editor);

@@ -346,7 +346,7 @@ for (const { name, link: title } of PAGES) {
               if (side > 0) await assertFills(page, `frame of ${width}`);
               assert.equal(await overhang(page), 0);
               const legend = page.locator(".stage-column > .legend");
-              if (await legend.count()) assert.equal(await legend.isVisible(), width > 960, "where there is room");
+              if (await legend.count()) assert.equal(await legend.isVisible(), width > 640, "where there is room");
             }
             // The heading is the parent's to give.
             const found = await violations(page);

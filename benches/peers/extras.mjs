@@ -1,4 +1,4 @@
-/** The rows that are no worlds of ours: first answers, maps, fleets, new processes, memory, neighbours, threads. */
+/** The rows beside those of generated worlds: first answers, maps, fleets, new processes, memory, neighbours, threads. */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
@@ -30,6 +30,9 @@ const firsts = rows.filter(({ name }) =>
   ["RRT-Connect, forest 4R", "RRT-Connect, body in clutter", "Kinodynamic RRT, car in clutter"].includes(name),
 );
 
+/** City maps, with the length of their sides in metres. */
+const CITIES = { Berlin_0_256: 256, NewYork_1_512: 512 };
+
 /** @type {Extra[]} */
 export const extras = [
   ...firsts.map((row) => ({
@@ -37,12 +40,12 @@ export const extras = [
     side: /** @type {const} */ ("node"),
     measure: (/** @type {Setting} */ setting) => firstAnswers(row, setting),
   })),
-  ...["Berlin_0_256", "NewYork_1_512"].map((map) => ({
+  ...Object.keys(CITIES).map((map) => ({
     name: `Map, ${map}`,
     side: /** @type {const} */ ("node"),
     measure: (/** @type {Setting} */ setting) => queriesOfMap(map, setting),
   })),
-  ...Object.entries({ Berlin_0_256: 256, NewYork_1_512: 512 }).map(([map, side]) => ({
+  ...Object.entries(CITIES).map(([map, side]) => ({
     name: `First path on a map, ${map}`,
     side: /** @type {const} */ ("ompl"),
     measure: (/** @type {Setting} */ setting) => firstPaths(map, side, setting),
@@ -56,6 +59,13 @@ export const extras = [
   { name: "Neighbours beside kiddo", side: "native", measure: neighbours },
   { name: "Two threads (k-PRM, batch, 4R, n = 10,000)", side: "native", measure: threads },
 ];
+
+/** @throws {Problem} there is none */
+function folderOfMaps() {
+  const { PLANARIUM_WORLDS: folder } = process.env;
+  if (folder === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  return folder;
+}
 
 /** @param {string} name @param {number[]} values @returns {Figure} */
 const figure = (name, ...values) => ({ name, value: spread(values.filter(Number.isFinite)) });
@@ -81,7 +91,7 @@ async function firstAnswers(row, { native, node, Scenario, folder, isQuick }) {
  * @param {Setting} setting
  */
 function queriesOfMap(map, { folder, isQuick }) {
-  if (process.env.PLANARIUM_WORLDS === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  folderOfMaps();
   const file = join(folder, `${map}.json`);
   const args = ["--ours", "--only", map, "--queries", isQuick ? "5" : "100", "--json", file];
   printedBy("shortest.mjs", args);
@@ -94,14 +104,14 @@ function queriesOfMap(map, { folder, isQuick }) {
 }
 
 /**
- * First paths of a disc and of a body by RRT-Connect, for the longest query of a city map: ours, which are proven, and those of
- * OMPL on the cells, as `npm run bench:worlds -- --files` measures them; with steps as long as OMPL's, and with ours.
+ * First paths of a disc and of a body by RRT-Connect, for the longest query of a city map, beside OMPL's on the cells, as
+ * `npm run bench:worlds -- --files` measures them. Our paths are proven; our steps are as long as OMPL's, or adapt.
  * @param {string} map
  * @param {number} side  of the map, metres
  * @param {Setting} setting
  */
 function firstPaths(map, side, { folder, isQuick }) {
-  if (process.env.PLANARIUM_WORLDS === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
+  folderOfMaps();
   const file = join(folder, `${map}-first.json`);
   const shared = ["--files", "--groups", map, "--only", "rrt-connect", "--seeds", isQuick ? "3" : "25", "--json", file];
   const measured = [["--set", `step=${0.2 * Math.hypot(side, side)}`], []].map((steps) => {
@@ -129,7 +139,7 @@ function firstPaths(map, side, { folder, isQuick }) {
   });
 }
 
-/** The times of the kd-tree over those of kiddo, for several numbers of states; of queries, for one neighbour and for ten. */
+/** Times of the kd-tree over times of kiddo's, for several numbers of states; queries for one neighbour and for ten. */
 function neighbours() {
   const lines = inCargo(["--bench", "nearest", "--", "kiddo"]).split("\n");
   const rows = lines.map((line) => line.split("|").map((cell) => cell.trim())).filter(([, , n]) => /^[\d,]+$/.test(n));
@@ -186,9 +196,8 @@ async function fleetsOnMaps({ native, folder, isQuick }) {
 
 /** The exact shortest paths beside the crate polyanya, whose program compares their lengths. */
 function shortestPaths() {
-  const { PLANARIUM_WORLDS: worlds } = process.env;
-  if (worlds === undefined) throw new Problem("PLANARIUM_WORLDS names no folder with maps.");
-  const maps = ["Berlin_0_256", "NewYork_1_512"].map((map) => `${worlds}/movingai/${map}.map`);
+  const worlds = folderOfMaps();
+  const maps = Object.keys(CITIES).map((map) => join(worlds, "movingai", `${map}.map`));
   const manifest = join(root, "benches", "peers", "polyanya", "Cargo.toml");
   const target = join(root, "target", "peers", "polyanya");
   const options = ["--release", "--locked", "--quiet", "--manifest-path", manifest, "--target-dir", target];

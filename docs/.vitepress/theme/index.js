@@ -66,12 +66,10 @@ function drawCodes() {
     code.classList.add("code");
     task?.prepend(code);
   }
-  const first = document.querySelector(".codes h1:not(:has(+ .code-warning))");
-  const warning = Object.assign(document.createElement("p"), {
-    className: "code-warning",
-    textContent: codeWarning(location),
-  });
-  if (warning.textContent) first?.after(warning);
+  const textContent = codeWarning(location);
+  const heading = document.querySelector(".codes h1:not(:has(+ .code-warning))");
+  if (textContent)
+    heading?.after(Object.assign(document.createElement("p"), { className: "code-warning", textContent }));
 }
 
 export default {

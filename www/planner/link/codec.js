@@ -66,7 +66,7 @@ const experimentRule = withDefaults(
       projector: flag,
       lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
     }),
-    // Of the scene: what generates it, and iterations a second, where they are not those of a built-in one.
+    // What generates the scene, and iterations a second where they differ from the built-in scene's.
     options: settings,
     pace: whole(1000, 1),
     // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys

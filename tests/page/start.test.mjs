@@ -182,8 +182,8 @@ test("each slide of the class has its question, its answer on demand, and its pa
       // So do the other keys that the page does not use.
       for (const isShown of [true, false]) {
         await page.keyboard.press("a");
-        assert.equal(await page.isVisible(`.slide:not([hidden]) .answer`), isShown);
-        assert.equal(await live.getAttribute("html", "data-quiet"), String(!isShown));
+        await page.waitForSelector(".slide:not([hidden]) .answer", { state: isShown ? "visible" : "hidden" });
+        await live.waitForSelector(`html[data-quiet="${!isShown}"]`);
       }
       await page.keyboard.press("PageUp");
       await page.waitForSelector(`#deck[data-slide="${count - 2}"]`);

@@ -194,7 +194,11 @@ for (const { name, link: title } of PAGES) {
             light.every((colour, i) => String(colour) !== String(chosen[i])),
             JSON.stringify({ light, chosen }),
           );
-          assert.equal(await page.evaluate(() => localStorage.getItem("planarium-theme")), "dark", "it holds for all");
+          assert.equal(
+            await page.evaluate(() => localStorage.getItem("vitepress-theme-appearance")),
+            "dark",
+            "it holds for all",
+          );
           // What follows looks at the page in both.
           await page.evaluate(() => delete document.documentElement.dataset.theme);
         });

@@ -145,6 +145,24 @@ test("codes on paper are warned about where only this computer can open them", (
   assert.deepEqual([here.filter(isWarned), elsewhere.filter(isWarned)], [here, []]);
 });
 
+test("slides turn while a page is being loaded, whose document has no element yet", () =>
+  onPage(
+    CALM,
+    async (page) => {
+      const emptied = () =>
+        page.$eval("iframe:not(.past)", (frame) =>
+          /** @type {HTMLIFrameElement} */ (frame).contentDocument?.documentElement.remove(),
+        );
+      await page.waitForSelector("body[data-settled=true]");
+      await emptied();
+      for (const key of ["a", "End"]) await page.keyboard.press(key);
+      await page.waitForSelector(`#deck[data-slide="${classPlan().length}"]`);
+      await page.click("#theme");
+      assert.equal(await page.isVisible(".slide:not([hidden]) h1"), true);
+    },
+    { path: "class.html" },
+  ));
+
 test("each slide of the class has its question, its answer on demand, and its page, which opens", () =>
   onPage(
     CALM,

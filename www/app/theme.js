@@ -4,7 +4,8 @@
  */
 import { byId } from "./dom.js";
 
-const KEY = "planarium-theme";
+/** The entry in which the documentation's builder stores the theme, too: pages and documentation have one. */
+const KEY = "vitepress-theme-appearance";
 
 const DARK = "(prefers-color-scheme: dark)";
 
@@ -13,9 +14,13 @@ export function themeOf({ documentElement, defaultView }) {
   return documentElement.dataset.theme ?? (defaultView?.matchMedia(DARK).matches ? "dark" : "light");
 }
 
-/** Gives a page in a frame a theme. @param {Document} inside @param {string} theme */
+/**
+ * Gives a page in a frame a theme. While it is being loaded it may not have an element yet: it is dressed once it has
+ * loaded.
+ * @param {Document} inside @param {string} theme
+ */
 export function dress(inside, theme) {
-  if (themeOf(inside) !== theme) inside.getElementById("theme")?.click();
+  if (inside.documentElement && themeOf(inside) !== theme) inside.getElementById("theme")?.click();
 }
 
 /** @param {() => void} onChange */

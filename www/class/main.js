@@ -68,7 +68,8 @@ function leave(frame) {
 
 /** Gives a page the theme of the slides. @param {HTMLIFrameElement} frame */
 function follow({ contentDocument: inside }) {
-  if (!inside) return;
+  // There is no element yet while a page is being loaded: it follows once it has loaded.
+  if (!inside?.documentElement) return;
   // The sentence of a run that grows would answer the question.
   inside.documentElement.dataset.quiet = String(answer.ariaPressed !== "true");
   dress(inside, themeOf(document));

@@ -310,7 +310,7 @@ test("a short link runs by itself if it asks to, and others wait; it can be stop
       assert.equal(await page.getAttribute("body", "data-done"), "200");
       // In one task, since it takes less than a second.
       const phases = await page.evaluate(() =>
-        ["run", "cancel"].map((id) => {
+        ["run", "discard"].map((id) => {
           document.getElementById(id)?.click();
           return document.body.dataset.phase;
         }),

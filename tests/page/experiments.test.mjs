@@ -418,7 +418,7 @@ test("its chart fills small screens, projectors and frames", () =>
     { path: `experiments.html${CHART}` },
   ));
 
-test("paused, gone on with and cancelled, it ends with the same rows", () =>
+test("paused, gone on with and discarded, it ends with the same rows", () =>
   onPage(
     { reducedMotion: "reduce" },
     async (page) => {
@@ -440,7 +440,7 @@ test("paused, gone on with and cancelled, it ends with the same rows", () =>
           [id, more],
         );
       const ended = async () => Number(await page.getAttribute("body", "data-done"));
-      let pressed = press("cancel", 0);
+      let pressed = press("discard", 0);
       assert.match(
         await page.innerText("#chart"),
         /^With reduced motion trials do not start by themselves\.\s+Run 1,?200 trials$/,

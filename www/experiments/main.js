@@ -26,7 +26,7 @@ import { progressOf, refusalText, sentenceOf } from "./words.js";
 await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => {
   const { app } = room;
   const session = new ExperimentSession(app, worker);
-  const [run, cancel] = ["run", "cancel"].map((id) => byId(id, HTMLButtonElement));
+  const [run, discard] = ["run", "discard"].map((id) => byId(id, HTMLButtonElement));
   const progress = byId("progress", HTMLProgressElement);
   const [title, caption] = [byId("title", HTMLInputElement), byId("own-caption", HTMLTextAreaElement)];
   const showControls = watchControls(session);
@@ -42,7 +42,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
   title.addEventListener("change", () => session.rename(title.value.trim()));
   caption.addEventListener("input", () => (session.caption = caption.value));
   run.addEventListener("click", toggle);
-  cancel.addEventListener("click", () => session.cancel());
+  discard.addEventListener("click", () => session.discard());
   view.host.addEventListener("click", ({ target }) => {
     const trial = target instanceof Element ? target.getAttribute("data-trial") : null;
     if (trial !== null) void app.track(openTrial(session, Number(trial)));
@@ -76,7 +76,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
     if (run.disabled) return;
     if (session.phase === "running") void app.track(session.pause());
     else {
-      if (session.phase === "done") session.cancel();
+      if (session.phase === "done") session.discard();
       start();
     }
   }
@@ -103,7 +103,7 @@ await openRoom("experiments", (room, /** @type {ExperimentWorker} */ worker) => 
       !["ready", "running", "paused", "failed", "done"].includes(phase) ||
       (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
     for (const button of view.host.getElementsByTagName("button")) button.disabled = run.disabled;
-    cancel.disabled = !["running", "paused", "failed"].includes(phase) && session.uncertified === 0;
+    discard.disabled = !["running", "paused", "failed"].includes(phase) && session.uncertified === 0;
     progress.value = rows.count > 0 ? rows.done / rows.count : 0;
     byId("progress-text", HTMLElement).textContent = progressOf(session);
     if (change === "checked" && phase === "refused" && refusal) {

@@ -293,7 +293,7 @@ export class ExperimentSession extends Observable {
   }
 
   /** Stops, and drops the rows. */
-  cancel() {
+  discard() {
     if (!this.info) return;
     this.begin();
     this.clear();

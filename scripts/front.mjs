@@ -4,10 +4,12 @@
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { inflateRawSync } from "node:zlib";
 import { coloursOf, documents } from "./gallery.mjs";
 import { root } from "./run.mjs";
+import { decodeFragment } from "../www/formats/fragment.js";
 
+/** Bounds of the links in the plan of a class. */
+const LINK_LIMITS = { characters: 8192, bytes: 65_536 };
 /** Pixels of the picture of a page. */
 const CARD = { width: 400, height: 300 };
 /** Pixels of the picture that grows. */
@@ -132,8 +134,10 @@ export function classPlan() {
 }
 
 /** Links to the guides of the planners that a page opens with. @param {string} page  with its fragment */
-function guidesOf(page) {
-  const { lanes, document } = JSON.parse(String(inflateRawSync(Buffer.from(page.split("#1")[1], "base64url"))));
+async function guidesOf(page) {
+  const { value, fault } = await decodeFragment(page.split("#")[1], LINK_LIMITS, () => {});
+  if (fault) throw new Error(`${page}: ${fault}`);
+  const { lanes, document } = /** @type {any} */ (value);
   /** @type {Set<string>} */
   const planners = new Set((lanes ?? document.planners).map((/** @type {any} */ { algorithm }) => algorithm));
   return Array.from(planners, (id) => {
@@ -145,13 +149,14 @@ function guidesOf(page) {
 }
 
 /** The HTML of the slides. */
-export function slides() {
+export async function slides() {
   const html = (/** @type {string} */ text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
-  return classPlan()
-    .map(({ title, page, question, linked }) => {
+  const sections = await Promise.all(
+    classPlan().map(async ({ title, page, question, linked }) => {
       const answer = html(linked).replace(LINK, (_, words, other) => `<a href="${other}">${words}</a>`);
-      const guides = `About ${guidesOf(page).join(", ")}`;
+      const guides = `About ${(await guidesOf(page)).join(", ")}`;
       return `<section class="slide" data-page="${page}" data-title="${html(title)}" hidden><h1>${html(question)}</h1><p class="answer" hidden>${answer}</p><span class="guides" hidden>${guides}</span></section>`;
-    })
-    .join("\n  ");
+    }),
+  );
+  return sections.join("\n  ");
 }

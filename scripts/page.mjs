@@ -85,7 +85,7 @@ export async function assemblePageIn(out, isDraft = false) {
   if (!isDraft || drawn === null)
     drawn = { figures: await assembleGallery(join(out, GALLERY)), ...(await assembleFront(out, PAGES)) };
   const { figures, ...front } = drawn;
-  const made = { ...front, slides: slides() };
+  const made = { ...front, slides: await slides() };
   for (const name of [START, SLIDES, ...PAGES.map((page) => page.name)]) {
     const scripts = ROOMS.includes(name)
       ? importsOf(rooms, `www/${name}/main.js`)

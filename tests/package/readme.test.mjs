@@ -215,7 +215,7 @@ test("the plan of a class has nine steps of five minutes, each with a question, 
     assert.match(page, /^(plan|experiments)\.html#1[\w-]+$/);
     assert.ok(/[?.]$/.test(question) && answer.endsWith("."), question);
   }
-  assert.equal(slides().match(/<section class="slide"/g)?.length, plan.length);
+  assert.equal((await slides()).match(/<section class="slide"/g)?.length, plan.length);
 });
 
 test("the README is short, and its picture light", () => {

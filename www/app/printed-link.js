@@ -61,7 +61,7 @@ export function printLink(save, encode) {
     const address = fragment ? `${page}#${fragment}` : page;
     const isCode = fragment !== "" && address.length <= MOST;
     const words = isCode
-      ? `The code is the link to what is shown. ${codeWarning(location)}`
+      ? `The code is the link to what is shown. ${codeWarning(location)}`.trimEnd()
       : reason ||
         `The link to what is shown has ${counted(address.length, "character")}, too many for a code on paper: the button Link copies it.`;
     host.replaceChildren(

@@ -3,6 +3,7 @@
  * the same keys lead to the same configuration at any frame rate. Moments are milliseconds since the epoch.
  */
 import { counted } from "../../app/dom.js";
+import { obstacleName } from "../../domain/names.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
@@ -382,5 +383,5 @@ function reasonOf(blocked) {
   if (blocked === "bounds") return "the bounds are in the way";
   return blocked === "near"
     ? "the next motion would come too close to an obstacle"
-    : `obstacle ${blocked} is in the way`;
+    : `${obstacleName(blocked)} is in the way`;
 }

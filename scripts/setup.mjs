@@ -40,8 +40,9 @@ export function requireCompilers() {
 /** Installs the npm development tools from the lock file, unless they exist and are no older than it. */
 export async function ensureNodeModules() {
   const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19))
-    throw new Problem(`Node 20.19 or newer is required; this is ${process.versions.node}.`);
+  // The documentation's builder requires modules that are ES modules.
+  if (major < 20 || major === 21 || (major === 20 && minor < 19) || (major === 22 && minor < 12))
+    throw new Problem(`Node 20.19, 22.12 or newer is required; this is ${process.versions.node}.`);
   const installed = join(root, "node_modules", ".package-lock.json");
   const lock = join(root, "package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;

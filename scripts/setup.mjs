@@ -40,7 +40,7 @@ export function requireCompilers() {
 /** Installs the npm development tools from the lock file, unless they exist and are no older than it. */
 export async function ensureNodeModules() {
   const [major, minor] = process.versions.node.split(".").map(Number);
-  // The documentation's builder requires modules that are ES modules.
+  // The documentation's builder loads ES modules with `require`.
   if (major < 20 || major === 21 || (major === 20 && minor < 19) || (major === 22 && minor < 12))
     throw new Problem(`Node 20.19, 22.12 or newer is required; this is ${process.versions.node}.`);
   const installed = join(root, "node_modules", ".package-lock.json");

@@ -95,12 +95,12 @@ function queriesOfMap(map, { folder, isQuick }) {
   const file = join(folder, `${map}.json`);
   const args = ["--ours", "--only", map, "--queries", isQuick ? "5" : "100", "--json", file];
   printedBy("shortest.mjs", args);
-  /** @type {{ side: string, milliseconds: number, longer: number }[]} */
+  /** @type {{ side: string, milliseconds: number, longer: number | null }[]} the last is null where no path was found */
   const medians = JSON.parse(readFileSync(file, "utf8"));
   return medians.flatMap(({ side, milliseconds, longer }) => {
     const name = side.replaceAll("`", "");
     // Lengths that differ by rounding alone are equal.
-    const percent = Math.round(1e4 * longer) / 1e4 + 0;
+    const percent = longer === null ? NaN : Math.round(1e4 * longer) / 1e4 + 0;
     return [figure(`${name}, Node, ms`, milliseconds), figure(`${name}, % longer than the shortest path`, percent)];
   });
 }

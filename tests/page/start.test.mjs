@@ -149,12 +149,10 @@ test("slides turn while a page is being loaded, whose document has no element ye
   onPage(
     CALM,
     async (page) => {
-      const emptied = () =>
-        page.$eval("iframe:not(.past)", (frame) =>
-          /** @type {HTMLIFrameElement} */ (frame).contentDocument?.documentElement.remove(),
-        );
       await page.waitForSelector("body[data-settled=true]");
-      await emptied();
+      await page.$eval("iframe:not(.past)", (frame) =>
+        /** @type {HTMLIFrameElement} */ (frame).contentDocument?.documentElement.remove(),
+      );
       for (const key of ["a", "End"]) await page.keyboard.press(key);
       await page.waitForSelector(`#deck[data-slide="${classPlan().length}"]`);
       await page.click("#theme");

@@ -4,7 +4,7 @@
  */
 import { byId } from "./dom.js";
 
-/** The entry in which the documentation's builder stores the theme, too: pages and documentation have one. */
+/** The entry in which VitePress stores the theme, "auto", "dark" or "light": pages and documentation share it. */
 const KEY = "vitepress-theme-appearance";
 
 const DARK = "(prefers-color-scheme: dark)";
@@ -37,9 +37,10 @@ export function watchTheme(onChange) {
     name();
     onChange();
   };
-  button.addEventListener("click", () => {
+  // A page that is dressed by the one around it stores nothing: that is not the reader's choice.
+  button.addEventListener("click", ({ isTrusted }) => {
     root.dataset.theme = other();
-    storage(root.dataset.theme);
+    if (isTrusted) storage(root.dataset.theme);
     update();
   });
   matchMedia(DARK).addEventListener("change", update);
